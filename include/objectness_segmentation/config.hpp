@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "objectness_segmentation/cues/edges.hpp"
+#include "objectness_segmentation/cues/superpixels.hpp"
+#include "objectness_segmentation/integral/cue_volumes.hpp"
+#include "objectness_segmentation/objectness/objectness.hpp"
+#include "objectness_segmentation/scene/frame.hpp"
+#include "objectness_segmentation/scene/normals.hpp"
+#include "objectness_segmentation/scene/object_points.hpp"
+#include "objectness_segmentation/scene/table.hpp"
+#include "objectness_segmentation/search/box_sampler.hpp"
+#include "objectness_segmentation/segments/segments.hpp"
+#include "objectness_segmentation/selection/box_filter.hpp"
+#include "objectness_segmentation/selection/global_selection.hpp"
+
+#include <string>
+#include <vector>
+
+namespace objectness {
+
+struct RuntimeConfig {
+  int threads = 2;
+  int seed = 1;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("threads", self.threads, Range{0, 64}, "worker threads, 0: one per processor; the result does not depend on it");
+    visit("seed", self.seed, Range{0, 2147483647}, "seed of the annealing");
+  }
+};
+
+/// Everything that can be set, a struct per stage in the order of the pipeline. A field's full name is "group.field", as in
+/// the YAML presets ("objectness.weight_edges").
+struct Config {
+  InputConfig input;
+  NormalsConfig normals;
+  TableConfig table;
+  ObjectPointsConfig object_points;
+  EdgesConfig edges;
+  SuperpixelsConfig superpixels;
+  VolumeConfig volume;
+  SearchConfig search;
+  ObjectnessConfig objectness;
+  FilterConfig filter;
+  SelectionConfig selection;
+  SegmentsConfig segments;
+  RuntimeConfig runtime;
+
+  template <class Self, class Visit>
+  static void groups(Self& self, Visit&& visit) {
+    visit("input", self.input);
+    visit("normals", self.normals);
+    visit("table", self.table);
+    visit("object_points", self.object_points);
+    visit("edges", self.edges);
+    visit("superpixels", self.superpixels);
+    visit("volume", self.volume);
+    visit("search", self.search);
+    visit("objectness", self.objectness);
+    visit("filter", self.filter);
+    visit("selection", self.selection);
+    visit("segments", self.segments);
+    visit("runtime", self.runtime);
+  }
+};
+
+/// Every value outside its range and every contradiction between fields, a sentence each that names the field, its value
+/// and what is accepted; empty = valid.
+std::vector<std::string> validate(const Config& config);
+
+}  // namespace objectness

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "objectness_segmentation/config.hpp"
+#include "objectness_segmentation/result.hpp"
+#include "objectness_segmentation/scene/frame.hpp"
+
+#include <atomic>
+
+namespace objectness {
+
+/// The paper in one call: table, cues, search, filtering, selection, segments.
+///
+/// The same frame and config give the same result for any number of threads (timings apart). Never throws for bad data:
+/// the reason is in Segmentation::status. `cancel`, when given, is looked at between stages and between box angles.
+Segmentation segment(const Frame& frame, const Config& config, const std::atomic<bool>* cancel = nullptr);
+
+}  // namespace objectness

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "objectness_segmentation/common/range.hpp"
+#include "objectness_segmentation/common/status.hpp"
+#include "objectness_segmentation/scene/camera.hpp"
+
+#include <Eigen/Core>
+#include <opencv2/core.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace objectness {
+
+/// One organized RGB-D view: the only input type of the core. Pixel (u, v) has index v * width + u everywhere.
+/// Made by makeFrame(), which guarantees that sizes agree and that invalid points are NaN in all three coordinates.
+struct Frame {
+  PinholeCamera camera;
+  std::vector<Eigen::Vector3f> points;  ///< width * height, row-major, metres, optical frame, NaN = invalid
+  cv::Mat_<cv::Vec3b> color;            ///< BGR, same size, or empty when the input carries no colour
+
+  int width() const { return camera.width; }
+  int height() const { return camera.height; }
+  int size() const { return camera.width * camera.height; }
+};
+
+/// A point cloud as it comes from a file or a message: organized (height > 1) or a list (height == 1).
+struct RawCloud {
+  int width = 0, height = 0;
+  std::vector<Eigen::Vector3f> points;  ///< metres, optical frame; NaN or infinite = invalid
+  std::vector<cv::Vec3b> colors;        ///< BGR per point, or empty
+};
+
+struct InputConfig {
+  double min_depth_m = 0.15;
+  double max_depth_m = 6.0;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("min_depth_m", self.min_depth_m, Range{0.0, 5.0}, "points nearer than this (z) are invalid");
+    visit("max_depth_m", self.max_depth_m, Range{0.1, 100.0}, "points farther than this (z) are invalid");
+  }
+};
+
+/// Checks a cloud and puts it on its pixel grid.
+/// - organized, with camera: sizes must agree.
+/// - organized, no camera: intrinsics are recovered from the grid (recoverCamera()).
+/// - a list, with camera: every point is projected to its pixel, the nearest one wins; kNotOrganized when fewer than
+///   90 % of the points fall within half a pixel of a pixel centre's ray (the list is not a view of this camera).
+/// - a list, no camera: kNotOrganized.
+Result<Frame> makeFrame(const RawCloud& cloud, const std::optional<PinholeCamera>& camera, const InputConfig& config);
+
+/// A frame from a depth image. depth: CV_16U (millimetres, 0 = invalid) or CV_32F (metres, non-finite or <= 0 = invalid;
+/// REP 118). color: BGR of the same size, or empty.
+Result<Frame> makeFrame(const cv::Mat& depth, const cv::Mat& color, const PinholeCamera& camera, const InputConfig& config);
+
+/// Least-squares pinhole intrinsics of an organized cloud: u = fx x/z + cx, v = fy y/z + cy over the valid points.
+/// kBadCamera when there are too few points or the grid is no pinhole view (median residual over half a pixel).
+Result<PinholeCamera> recoverCamera(const RawCloud& cloud);
+
+}  // namespace objectness

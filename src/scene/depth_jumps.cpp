@@ -41,6 +41,12 @@ cv::Mat_<uchar> clearRadius(const Frame& frame, const std::vector<unsigned char>
     for (int u = 0; u < width; ++u, ++i) {
       if (jump[i] & kJumpRight) clear(v, u) = clear(v, u + 1) = 0;
       if (jump[i] & kJumpDown) clear(v, u) = clear(v + 1, u) = 0;
+      if (u + 1 == width || v + 1 == height) continue;
+      // Diagonal neighbours are apart when both ways around the block are cut.
+      const bool top = jump[i] & kJumpRight, bottom = jump[i + width] & kJumpRight;
+      const bool left = jump[i] & kJumpDown, right = jump[i + 1] & kJumpDown;
+      if ((top || right) && (left || bottom)) clear(v, u) = clear(v + 1, u + 1) = 0;
+      if ((top || left) && (right || bottom)) clear(v, u + 1) = clear(v + 1, u) = 0;
     }
   }
   cv::Mat distance;

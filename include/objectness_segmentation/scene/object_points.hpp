@@ -9,15 +9,27 @@ namespace objectness {
 struct ObjectPoints {
   cv::Mat_<float> height_m;  ///< H x W signed height over the table plane, NaN = invalid point
   cv::Mat_<uchar> mask;      ///< H x W, 255 = a point that stands on the table, 0 = anything else
-  cv::Mat_<uchar> on_table;  ///< H x W, 255 = a point of the table's own surface, inside its hull
+  cv::Mat_<uchar> on_table;  ///< H x W, 255 = a point of the table's own surface, inside its extent
 };
 
 struct ObjectPointsConfig {
+  double noise_sigmas = 3.5;
+  double min_threshold_m = 0.004;
+  double max_threshold_m = 0.015;
   double max_height_m = 0.45;
+  double min_area_m2 = 3e-4;
+  double min_inside_share = 0.35;
+  bool hollow_floors = true;
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
+    visit("noise_sigmas", self.noise_sigmas, Range{0.5, 20}, "a point counts from this many sigma of depth noise over the table");
+    visit("min_threshold_m", self.min_threshold_m, Range{0, 0.1}, "but never from less height than this");
+    visit("max_threshold_m", self.max_threshold_m, Range{0, 0.1}, "and always from more height than this");
     visit("max_height_m", self.max_height_m, Range{0.03, 2.0}, "things that reach over this height are not objects");
+    visit("min_area_m2", self.min_area_m2, Range{0, 0.1}, "things that show less surface (seen head-on) are not objects");
+    visit("min_inside_share", self.min_inside_share, Range{0, 1}, "least share of a thing's points over the table's extent");
+    visit("hollow_floors", self.hollow_floors, "points at table height enclosed by one hollow thing (a bowl) belong to it");
   }
 };
 

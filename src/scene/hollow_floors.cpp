@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "standing_things.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace objectness {
+namespace {
+
+constexpr int kMinFloorPixels = 20;
+constexpr double kFloorThicknessM = 0.0012;  // a bowl's floor lies higher than the table around it, a ring's hole does not
+constexpr double kAroundM = 0.05;            // where the table around a thing is measured
+constexpr int kMinAroundPixels = 50;
+
+/// An enclosed region: connected pixels that are no thing.
+struct Region {
+  int pixels = 0, neighbour = 0;  // neighbour: the thing it touches, -1 = several or the image border
+  cv::Rect box;
+};
+
+double median(std::vector<float>& values) {
+  const auto middle = values.begin() + values.size() / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Median height of the table next to a region's thing; NaN when it is not seen.
+double tableAround(const cv::Rect& box, const HeightMap& map, const Things& things) {
+  std::vector<float> heights;
+  for (int v = box.y; v < box.y + box.height; ++v) {
+    for (int u = box.x; u < box.x + box.width; ++u) {
+      const float h = map.height_m(v, u);
+      if (things.label(v, u) == 0 && std::abs(h) <= map.threshold_m(v, u)) heights.push_back(h);
+    }
+  }
+  return heights.size() < static_cast<std::size_t>(kMinAroundPixels) ? std::nan("") : median(heights);
+}
+
+}  // namespace
+
+void addHollowFloors(const Frame& frame, const Table& table, const HeightMap& map, const Things& things,
+                     cv::Mat_<uchar>& mask) {
+  const int width = frame.width(), height = frame.height();
+  const Eigen::Matrix<float, 2, 3> axes = table.T_table_camera.linear().topRows<2>().cast<float>();
+
+  // Regions and what they touch.
+  const cv::Mat_<uchar> free = things.label == 0;
+  cv::Mat labels_mat, stats, centroids;
+  const int count = cv::connectedComponentsWithStats(free, labels_mat, stats, centroids, 4);
+  const cv::Mat_<int> labels = labels_mat;
+  std::vector<Region> regions(count);
+  for (int k = 1; k < count; ++k) {
+    Region& region = regions[k];
+    region.pixels = stats.at<int>(k, cv::CC_STAT_AREA);
+    region.box = cv::Rect(stats.at<int>(k, cv::CC_STAT_LEFT), stats.at<int>(k, cv::CC_STAT_TOP),
+                          stats.at<int>(k, cv::CC_STAT_WIDTH), stats.at<int>(k, cv::CC_STAT_HEIGHT));
+    const bool at_border = region.box.x == 0 || region.box.y == 0 || region.box.br().x == width || region.box.br().y == height;
+    if (at_border || region.pixels < kMinFloorPixels) region.neighbour = -1;
+  }
+  std::vector<std::vector<cv::Point2f>> footprints(things.count + 1);
+  for (int v = 0; v < height; ++v) {
+    for (int u = 0; u < width; ++u) {
+      const int thing = things.label(v, u);
+      if (thing == 0) continue;
+      for (const cv::Point q : {cv::Point(u - 1, v), cv::Point(u + 1, v), cv::Point(u, v - 1), cv::Point(u, v + 1)}) {
+        if (q.x < 0 || q.y < 0 || q.x >= width || q.y >= height || things.label(q) == thing) continue;
+        Region& region = regions[labels(q)];
+        if (region.neighbour == 0) region.neighbour = thing;
+        if (region.neighbour != thing) region.neighbour = -1;
+      }
+    }
+  }
+  std::vector<bool> hollow(things.count + 1, false);
+  for (int k = 1; k < count; ++k) {
+    if (regions[k].neighbour > 0) hollow[regions[k].neighbour] = true;
+  }
+  for (int i = 0; i < frame.size(); ++i) {
+    const int thing = things.label(i / width, i % width);
+    if (thing == 0 || !hollow[thing]) continue;
+    const Eigen::Vector2f foot = axes * frame.points[i];
+    footprints[thing].emplace_back(foot.x(), foot.y());
+  }
+
+  for (int k = 1; k < count; ++k) {
+    const Region& region = regions[k];
+    if (region.neighbour <= 0) continue;
+    std::vector<cv::Point2f> hull;
+    cv::convexHull(footprints[region.neighbour], hull);
+    std::vector<cv::Point> floor;
+    std::vector<float> heights;
+    double depth = 0;
+    for (int v = region.box.y; v < region.box.br().y; ++v) {
+      for (int u = region.box.x; u < region.box.br().x; ++u) {
+        const float h = map.height_m(v, u);
+        if (labels(v, u) != k || !(std::abs(h) <= 2 * map.threshold_m(v, u))) continue;
+        const Eigen::Vector3f& p = frame.points[v * width + u];
+        const Eigen::Vector2f foot = axes * p;
+        if (cv::pointPolygonTest(hull, cv::Point2f(foot.x(), foot.y()), false) < 0) continue;
+        floor.emplace_back(u, v);
+        heights.push_back(h);
+        depth += p.z();
+      }
+    }
+    if (floor.size() < static_cast<std::size_t>(kMinFloorPixels)) continue;
+    const int around = static_cast<int>(std::ceil(kAroundM * frame.camera.focal() * floor.size() / depth));
+    cv::Rect box = region.box;
+    box -= cv::Point(2 * around, 2 * around);
+    box += cv::Size(4 * around, 4 * around);
+    const double reference = tableAround(box & cv::Rect(0, 0, width, height), map, things);
+    if (median(heights) < reference + kFloorThicknessM) continue;
+    for (const cv::Point& pixel : floor) mask(pixel) = 255;
+  }
+}
+
+}  // namespace objectness

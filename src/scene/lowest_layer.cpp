@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lowest_layer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace objectness {
+namespace {
+
+constexpr double kCellM = 0.02;
+constexpr float kLayersM = 0.03f;            // layers farther apart than this are hypotheses of their own
+constexpr float kMinNormalCosine = 0.9063f;  // 25 deg
+constexpr std::size_t kMinPerCell = 3;
+constexpr int kRounds = 4;
+constexpr float kMinStepM = 0.004f;          // between layers that can be told apart
+constexpr double kMinLayerShare = 0.12;      // of the cells; less is a dent or an edge
+constexpr double kMaxValley = 0.5;           // cells between two layers, per cell of the smaller layer
+constexpr float kBinM = 0.001f;
+
+/// Mean points of the plane's grid cells: a tenth of the samples' noise, and every part of the table counts alike.
+struct Patch {
+  Eigen::Vector3f point;
+  float sigma_m;
+};
+
+std::vector<Patch> patchesNear(const SurfaceSamples& view, const Plane& plane) {
+  const PlaneGrid grid = makePlaneGrid(view, plane, kCellM);
+  if (grid.empty()) return {};
+  const cv::Mat_<uchar> extent = extentOf(grid);
+  const FastPlane fast(plane);
+  const Eigen::Matrix<float, 2, 3> axes = grid.T_table_camera.linear().topRows<2>().cast<float>();
+  std::vector<std::vector<const SurfaceSamples::Sample*>> cells(extent.total());
+  cv::Point cell;
+  for (const auto& sample : view.samples) {
+    if (!sample.valid() || !sample.hasNormal() || sample.normal.dot(fast.normal) < kMinNormalCosine) continue;
+    if (std::abs(fast.height(sample.point)) > std::max(kLayersM, sample.tolerance())) continue;
+    const Eigen::Vector2f foot = axes * sample.point;
+    if (grid.cell(foot.x(), foot.y(), cell) && extent(cell)) cells[cell.y * extent.cols + cell.x].push_back(&sample);
+  }
+  std::vector<Patch> patches;
+  for (auto& members : cells) {
+    if (members.size() < kMinPerCell) continue;
+    // The median by height: a cell at the edge of a thing must not land between the layers.
+    const auto middle = members.begin() + members.size() / 2;
+    std::nth_element(members.begin(), middle, members.end(), [&](const auto* a, const auto* b) {
+      const float height_a = fast.height(a->point), height_b = fast.height(b->point);
+      return height_a != height_b ? height_a < height_b : a < b;
+    });
+    patches.push_back({(*middle)->point, (*middle)->sigma_m});
+  }
+  return patches;
+}
+
+/// Fits to the patches whose height over the plane is within `band` of `centre`, a few times over; a patch on the layer
+/// above is kept out by the band's asymmetry in count, not by luck: the band shrinks.
+Plane fitLayer(const std::vector<Patch>& patches, Plane plane, float centre, float band) {
+  for (int round = 0; round < kRounds; ++round) {
+    PlaneFitter fitter;
+    const FastPlane fast(plane);
+    for (const Patch& patch : patches) {
+      const float limit = std::max(band, 1.5f * patch.sigma_m);
+      if (std::abs(fast.height(patch.point) - centre) <= limit) {
+        fitter.add(patch.point, 1.0 / (double(patch.sigma_m) * patch.sigma_m));
+      }
+    }
+    if (!fitter.solve(plane)) break;
+    centre = 0;
+  }
+  return plane;
+}
+
+/// Height of a layer that lies distinctly under the main one, or 0.
+float lowerLayer(const std::vector<Patch>& patches, const Plane& plane) {
+  const int bins = 2 * static_cast<int>(kLayersM / kBinM) + 1, zero = bins / 2;
+  std::vector<double> raw(bins, 0.0), histogram(bins, 0.0);
+  const FastPlane fast(plane);
+  for (const Patch& patch : patches) {
+    const int bin = zero + static_cast<int>(std::lround(fast.height(patch.point) / kBinM));
+    if (bin >= 0 && bin < bins) raw[bin] += 1;
+  }
+  for (int i = 1; i + 1 < bins; ++i) histogram[i] = (raw[i - 1] + raw[i] + raw[i + 1]) / 3;
+
+  const int step = static_cast<int>(kMinStepM / kBinM);
+  for (int i = 1; i <= zero - step / 2; ++i) {  // from below: the lowest layer of enough cells
+    if (histogram[i] < histogram[i - 1] || histogram[i] < histogram[i + 1]) continue;
+    double cells = 0;
+    for (int k = std::max(0, i - step / 2); k <= i + step / 2; ++k) cells += raw[k];
+    if (cells < kMinLayerShare * patches.size()) continue;
+    const auto next = std::max_element(histogram.begin() + i + step, histogram.end());
+    const double valley = *std::min_element(histogram.begin() + i, next);
+    if (valley < kMaxValley * std::min(histogram[i], *next)) return (i - zero) * kBinM;
+  }
+  return 0;
+}
+
+}  // namespace
+
+Plane settleOnLowestLayer(const SurfaceSamples& view, const Plane& plane) {
+  const std::vector<Patch> patches = patchesNear(view, plane);
+  const Plane fitted = fitLayer(patches, plane, 0, 0.006f);
+  const float lower = lowerLayer(patches, fitted);
+  return lower < 0 ? fitLayer(patches, fitted, lower, 0.5f * kMinStepM) : fitted;
+}
+
+}  // namespace objectness

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "surface_samples.hpp"
+
+namespace objectness {
+
+/// Axes of the table frame of a plane; see Table::T_table_camera.
+Eigen::Isometry3d tableFrame(const Plane& plane);
+
+/// Where the samples of a view meet a plane, on a grid of square cells in the plane's own x and y.
+struct PlaneGrid {
+  Eigen::Isometry3d T_table_camera = Eigen::Isometry3d::Identity();
+  Eigen::Vector2d origin = Eigen::Vector2d::Zero();
+  double cell_m = 0.02;
+  cv::Mat_<uchar> on_plane;      ///< 255 = a sample lies on the plane here
+  cv::Mat_<uchar> seen_through;  ///< 255 = samples lie behind the plane on rays that cross it here: certainly no table
+  int samples_on_plane = 0;
+
+  bool empty() const { return on_plane.empty(); }
+  /// Cell of a point of the plane; false outside the grid.
+  bool cell(double x, double y, cv::Point& result) const;
+};
+
+PlaneGrid makePlaneGrid(const SurfaceSamples& samples, const Plane& plane, double cell_m);
+
+/// The table's extent: cells on the plane without specks, the shadows behind things bridged, holes filled, but nothing
+/// that was seen through; the largest connected part. Same size as the grid, 255 = inside.
+cv::Mat_<uchar> extentOf(const PlaneGrid& grid);
+
+}  // namespace objectness

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "height_map.hpp"
+
+namespace objectness {
+
+/// Parts of a mask that are connected in space.
+struct Things {
+  cv::Mat_<int> label;  ///< H x W, 0 = none, 1..count
+  int count = 0;
+};
+
+/// Connects neighbouring mask pixels (8) whose points are close, over the border of the table's extent as well, and keeps
+/// the things that stand on the table: enough of it, mostly over the extent, not reaching over the ceiling.
+Things findThings(const Frame& frame, const Table& table, const HeightMap& map, const ObjectPointsConfig& config,
+                  const cv::Mat_<uchar>& mask);
+
+/// Adds the floors of hollow things to the mask: pixels at table height that one thing encloses, in the image and on the
+/// table, and that lie a little higher than the table around the thing.
+void addHollowFloors(const Frame& frame, const Table& table, const HeightMap& map, const Things& things,
+                     cv::Mat_<uchar>& mask);
+
+}  // namespace objectness

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "objectness_segmentation/scene/table.hpp"
+
+#include "depth_noise.hpp"
+#include "lowest_layer.hpp"
+#include "plane_grid.hpp"
+#include "plane_hypotheses.hpp"
+#include "table_evidence.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace objectness {
+namespace {
+
+constexpr int kSampleCount = 40000;        // to find planes in
+constexpr int kExtentSampleCount = 120000;  // to draw the extent from
+constexpr double kExtentCellM = 0.01;
+constexpr double kExtentGrowthM = 0.05;    // things stand at the very edge, and table edges are rounded
+constexpr double kOutlineToleranceCells = 1.0;
+
+Result<Plane> givenPlane(const TableConfig& config) {
+  const Eigen::Vector3d normal(config.given_a, config.given_b, config.given_c);
+  const double length = normal.norm();
+  if (!(length > 0) || !std::isfinite(length) || !std::isfinite(config.given_d)) {
+    return Result<Plane>::error(StatusCode::kBadConfig,
+                                "table.given is set but (given_a, given_b, given_c) is no direction: give the plane's normal");
+  }
+  Plane plane{normal / length, config.given_d / length};
+  if (plane.d < 0) plane.normal = -plane.normal, plane.d = -plane.d;
+  return {{}, plane};
+}
+
+/// The best table among the planes.
+Result<Plane> choosePlane(const SurfaceSamples& samples, const std::vector<Plane>& planes, const TableConfig& config) {
+  const Eigen::Vector3d up(config.up_x, config.up_y, config.up_z);
+  if (config.up_known && !(up.norm() > 0)) {
+    return Result<Plane>::error(StatusCode::kBadConfig, "table.up_known is set but (up_x, up_y, up_z) has no length");
+  }
+  const double min_cosine = std::cos(config.max_tilt_deg * M_PI / 180);
+  const Plane* best = nullptr;
+  double best_score = 0, largest = 0;
+  int tilted = 0;
+  for (const Plane& plane : planes) {
+    if (config.up_known && plane.normal.dot(up.normalized()) < min_cosine) {
+      ++tilted;
+      continue;
+    }
+    const TableEvidence evidence = judgeTable(samples, plane);
+    largest = std::max(largest, evidence.area_m2);
+    const double score = evidence.score(plane);
+    if (evidence.area_m2 >= config.min_area_m2 && score > best_score) best_score = score, best = &plane;
+  }
+  if (best) return {{}, *best};
+
+  const auto valid = std::count_if(samples.samples.begin(), samples.samples.end(), [](const auto& s) { return s.valid(); });
+  std::ostringstream why;
+  why << "no table in view: " << static_cast<int>(100.0 * valid / std::max<std::size_t>(1, samples.samples.size()) + 0.5)
+      << " % of the pixels have depth, " << planes.size() << " planes were found";
+  if (tilted > 0) why << ", " << tilted << " of them tilted more than table.max_tilt_deg";
+  if (tilted < static_cast<int>(planes.size())) {
+    why << ", the largest of " << std::round(largest * 1e4) << " cm2 (table.min_area_m2 asks for "
+        << std::round(config.min_area_m2 * 1e4) << " cm2)";
+  }
+  return Result<Plane>::error(StatusCode::kNoTable, why.str());
+}
+
+std::vector<Plane> otherPlanes(const std::vector<Plane>& planes, const Plane& table) {
+  constexpr double kSameDistanceM = 0.02, kSameCosine = 0.9945;
+  std::vector<Plane> others;
+  for (const Plane& plane : planes) {
+    const bool same = plane.normal.dot(table.normal) > kSameCosine && std::abs(plane.d - table.d) < kSameDistanceM;
+    if (!same) others.push_back(plane);
+  }
+  return others;
+}
+
+TableExtent growExtent(const PlaneGrid& grid, const cv::Mat_<uchar>& extent) {
+  const int reach = static_cast<int>(std::lround(kExtentGrowthM / grid.cell_m));
+  const cv::Mat disk = cv::getStructuringElement(cv::MORPH_ELLIPSE, cv::Size(2 * reach + 1, 2 * reach + 1));
+  TableExtent result;
+  cv::Mat_<uchar> grown;
+  cv::dilate(extent, grown, disk);
+  grown.setTo(0, grid.seen_through);
+  result.cells = grown | extent;
+  result.origin = grid.origin;
+  result.cell_m = grid.cell_m;
+  return result;
+}
+
+std::vector<Eigen::Vector2d> outline(const TableExtent& extent) {
+  std::vector<std::vector<cv::Point>> contours;
+  cv::findContours(extent.cells.clone(), contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+  const auto longest = std::max_element(contours.begin(), contours.end(),
+                                        [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  if (longest == contours.end()) return {};
+  std::vector<cv::Point> polygon;
+  cv::approxPolyDP(*longest, polygon, kOutlineToleranceCells, true);
+  // x to the right and y downwards in the raster are x and y of the table: OpenCV's clockwise is our counter-clockwise.
+  if (cv::contourArea(polygon, true) < 0) std::reverse(polygon.begin(), polygon.end());
+  std::vector<Eigen::Vector2d> hull;
+  for (const cv::Point& p : polygon) {
+    hull.push_back(extent.origin + extent.cell_m * Eigen::Vector2d(p.x + 0.5, p.y + 0.5));
+  }
+  return hull;
+}
+
+}  // namespace
+
+Result<Table> findTable(const Frame& frame, const Normals& normals, const TableConfig& config) {
+  const DepthNoise prior;
+  const SurfaceSamples samples = sampleSurface(frame, normals, prior, kSampleCount);
+  const std::vector<Plane> planes = findPlanes(samples);
+
+  Result<Plane> chosen = config.given ? givenPlane(config) : choosePlane(samples, planes, config);
+  if (!chosen.ok()) return Result<Table>::error(chosen.status);
+  const Plane plane = config.given ? chosen.value : settleOnLowestLayer(samples, chosen.value);
+
+  const SurfaceSamples dense = sampleSurface(frame, normals, prior, kExtentSampleCount);
+  const PlaneGrid grid = makePlaneGrid(dense, plane, kExtentCellM);
+  if (grid.empty()) {
+    return Result<Table>::error(StatusCode::kNoTable, config.given ? "no point of the view lies on the given table plane"
+                                                                   : "no point of the view lies on the table plane");
+  }
+  const cv::Mat_<uchar> extent = extentOf(grid);
+  if (cv::countNonZero(extent) == 0) {
+    return Result<Table>::error(StatusCode::kNoTable, "only specks of the table plane are in view");
+  }
+  Table table;
+  table.normal = plane.normal;
+  table.d = plane.d;
+  table.T_table_camera = grid.T_table_camera;
+  table.extent = growExtent(grid, extent);
+  table.hull = outline(table.extent);
+  table.noise = measureNoise(dense, plane, grid, extent);
+  table.other_planes = otherPlanes(planes, plane);
+  return {{}, table};
+}
+
+}  // namespace objectness

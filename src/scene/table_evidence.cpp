@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "table_evidence.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace objectness {
+namespace {
+
+constexpr double kCellM = 0.02;
+constexpr float kCeilingM = 0.45f;      // what reaches higher is rather a wall, a shelf or a robot
+constexpr float kFootM = 0.04f;         // a thing on the plane is seen down to here
+constexpr int kMinFootSamples = 3;
+constexpr int kMinGroup = 6;
+constexpr double kUnlikely = 0.2;       // weight of groups that are too high or too wide
+constexpr double kNormalView = 40000.0;
+
+constexpr double kNearM = 1.3, kFarM = 3.3;  // full weight of a table up to here, next to none from there
+constexpr double kMinDistanceWeight = 0.05;
+constexpr double kFullAreaM2 = 0.10;
+constexpr double kEnoughInliers = 1500;
+constexpr double kBelowWeight = 3.0;
+
+/// A connected group of samples over the plane.
+struct Group {
+  int count = 0, foot = 0, too_high = 0;
+  Eigen::Vector2f low = Eigen::Vector2f::Constant(1e9f), high = Eigen::Vector2f::Constant(-1e9f);
+};
+
+}  // namespace
+
+TableEvidence judgeTable(const SurfaceSamples& view, const Plane& plane) {
+  TableEvidence evidence;
+  const PlaneGrid grid = makePlaneGrid(view, plane, kCellM);
+  if (grid.empty()) return evidence;
+  const cv::Mat_<uchar> extent = extentOf(grid);
+  cv::Mat_<uchar> core;  // less a rim, where neighbours of the table show
+  cv::erode(extent, core, cv::Mat::ones(3, 3, CV_8U));
+  evidence.area_m2 = cv::countNonZero(extent) * kCellM * kCellM;
+  const double scale = kNormalView / std::max<std::size_t>(1, view.samples.size());
+  evidence.inliers = grid.samples_on_plane * scale;
+
+  // Samples over and under the extent.
+  const FastPlane fast(plane);
+  const Eigen::Matrix<float, 2, 3> axes = grid.T_table_camera.linear().topRows<2>().cast<float>();
+  cv::Mat_<uchar> above(view.height, view.width, uchar(0));
+  std::vector<Eigen::Vector3f> table_points(view.samples.size());
+  std::vector<float> depths;
+  int below = 0;
+  cv::Point cell;
+  for (std::size_t i = 0; i < view.samples.size(); ++i) {
+    const auto& sample = view.samples[i];
+    if (!sample.valid()) continue;
+    const float height = fast.height(sample.point);
+    const Eigen::Vector2f foot = axes * sample.point;
+    table_points[i] << foot, height;
+    if (!grid.cell(foot.x(), foot.y(), cell) || core(cell) == 0) continue;
+    if (height > sample.tolerance()) {
+      above.data[i] = 255;
+    } else if (height < -sample.tolerance()) {
+      ++below;
+    } else {
+      depths.push_back(sample.point.z());
+    }
+  }
+  evidence.below = double(below) / std::max(1, grid.samples_on_plane);
+  if (!depths.empty()) {
+    std::nth_element(depths.begin(), depths.begin() + depths.size() / 2, depths.end());
+    evidence.distance_m = depths[depths.size() / 2];
+  }
+
+  cv::Mat_<int> labels;
+  std::vector<Group> groups(cv::connectedComponents(above, labels, 8, CV_32S));
+  for (std::size_t i = 0; i < view.samples.size(); ++i) {
+    if (above.data[i] == 0) continue;
+    Group& group = groups[labels(static_cast<int>(i) / view.width, static_cast<int>(i) % view.width)];
+    const Eigen::Vector3f& p = table_points[i];
+    ++group.count;
+    group.foot += p.z() < kFootM;
+    group.too_high += p.z() > kCeilingM;
+    group.low = group.low.cwiseMin(p.head<2>());
+    group.high = group.high.cwiseMax(p.head<2>());
+  }
+  const double wide = 0.5 * std::sqrt(evidence.area_m2);
+  double carried = 0;
+  for (const Group& group : groups) {
+    if (group.count < kMinGroup || group.foot < kMinFootSamples) continue;
+    const bool unlikely = 2 * group.too_high > group.count || (group.high - group.low).maxCoeff() > wide;
+    carried += group.count * (unlikely ? kUnlikely : 1.0);
+  }
+  evidence.carried = static_cast<int>(carried * scale);
+  return evidence;
+}
+
+double TableEvidence::score(const Plane& plane) const {
+  const double orientation = 0.75 - 0.25 * plane.normal.y();  // upwards in the image is likely, nothing is excluded
+  const double near = std::max(kMinDistanceWeight, std::min(1.0, (kFarM - distance_m) / (kFarM - kNearM)));
+  const double area = std::pow(std::min(1.0, area_m2 / kFullAreaM2), 2);  // leaves out the tops and fronts of boxes
+  const double carries = 0.3 + std::log2(1 + carried / 20.0);
+  return orientation * near * area * carries / (1 + kBelowWeight * below) *
+         std::sqrt(std::min(1.0, inliers / kEnoughInliers));
+}
+
+}  // namespace objectness

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "plane_grid.hpp"
+
+namespace objectness {
+
+/// What speaks for a plane being the table.
+struct TableEvidence {
+  double area_m2 = 0;    ///< of its extent
+  double distance_m = 0;  ///< median depth of its samples
+  int carried = 0;       ///< samples of things that stand on it, scaled to 40 000 samples a view
+  double below = 0;      ///< samples under it within its extent, per sample on it
+  double inliers = 0;    ///< samples on it, scaled to 40 000 samples a view
+
+  /// Larger is more table-like; for comparing planes of one view.
+  double score(const Plane& plane) const;
+};
+
+TableEvidence judgeTable(const SurfaceSamples& samples, const Plane& plane);
+
+}  // namespace objectness

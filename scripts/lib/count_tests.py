@@ -26,44 +26,55 @@ def outcome(case):
 
 
 def cases_of_files(results_dir):
-    """Returns {(class, name): (outcome, message)}; of a case that is told twice the worse."""
+    """Returns {(file, class, name): (outcome, message)}."""
     cases = {}
     for path in sorted(results_dir.rglob('*.xml')):
         try:
             root = ElementTree.parse(path).getroot()
         except ElementTree.ParseError as error:
-            cases[path.stem, 'result file'] = FAILED, f'{path} cannot be read: {error}'
+            cases[path.stem, 'file', path.name] = FAILED, f'cannot be read: {error}'
             continue
         for case in root.iter('testcase'):
-            key = case.get('classname', '').split('.')[-1], case.get('name', '')
-            cases[key] = max(cases.get(key, (PASSED, '')), outcome(case))
+            result = outcome(case)
+            # The cases of a rostest are in its rosunit file; its own file adds only what kept them from being run.
+            if result[0] == FAILED or not path.stem.startswith('rostest-'):
+                cases[path.stem, case.get('classname', ''), case.get('name', '')] = result
     return cases
 
 
-def cases_of_ctest(log, failures_in_files):
-    """Returns the plain commands as cases, and one failure for tests that failed without any failed case in a file."""
+def cases_of_ctest(log, failed_files):
+    """Returns as cases the plain commands, and the tests that failed although no case of theirs did (a crash at the end)."""
     cases = {}
     for name, result in (match.groups() for match in map(CTEST_LINE.match, log.splitlines()) if match):
         result = result.strip('* ').lower()
-        if result.startswith('passed'):
-            if not name.startswith('_ctest_'):
-                cases['ctest', name] = PASSED, ''
-        elif result.startswith('skipped'):
-            cases['ctest', name] = SKIPPED, ''
-        elif not name.startswith('_ctest_') or not failures_in_files:
-            cases['ctest', name] = FAILED, result
+        key = 'ctest', 'ctest', name
+        if name.startswith('_ctest_'):
+            if '_gtest_' in name:
+                told = 'gtest-' + name.split('_gtest_', 1)[1] in failed_files
+            else:
+                told = any(not stem.startswith('gtest-') for stem in failed_files)
+            if not result.startswith(('passed', 'skipped')) and not told:
+                cases[key] = FAILED, result
+        else:
+            cases[key] = {'passed': PASSED, 'skipped': SKIPPED}.get(result.split()[0], FAILED), result
     return cases
+
+
+def first_line(message):
+    """The first line that says something: gtest puts the place in the source before it."""
+    lines = [line.strip() for line in message.splitlines() if line.strip()]
+    return next((line for line in lines if not re.fullmatch(r'\S+:\d+', line)), '')
 
 
 def main():
     results_dir, log = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]).read_text(errors='replace')
     cases = cases_of_files(results_dir)
-    cases.update(cases_of_ctest(log, any(result == FAILED for result, _ in cases.values())))
+    cases.update(cases_of_ctest(log, {stem for (stem, _, _), (result, _) in cases.items() if result == FAILED}))
 
     for title, wanted in (('skipped', SKIPPED), ('failed', FAILED)):
-        for (group, name), (result, message) in sorted(cases.items()):
+        for (_, group, name), (result, message) in sorted(cases.items()):
             if result == wanted:
-                print(f'{title}: {group}.{name}' + (f': {message.splitlines()[0]}' if message else ''))
+                print(f'{title}: {group}.{name}: {first_line(message)}'.rstrip(': '))
     results = [result for result, _ in cases.values()]
     print(f'{results.count(PASSED)} passed, {results.count(FAILED)} failed, {results.count(SKIPPED)} skipped')
     return 1 if FAILED in results or not results else 0

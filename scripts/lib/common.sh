@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Sourced by the scripts beside this folder: where things are, clear failures, quiet long steps.
 
@@ -23,6 +24,21 @@ fail() {
 
 # The comment at the head of the script that was called is its help.
 show_help() { sed -n '3,/^$/{/^#/s/^# \{0,1\}//p}' "$0"; }
+
+# parse_jobs_option ARGUMENT...: sets jobs, for scripts that have no other option.
+parse_jobs_option() {
+  jobs=''
+  while [ $# -gt 0 ]; do
+    case $1 in
+      --jobs) jobs=${2:-}; check_jobs; shift ;;
+      -h | --help) show_help; exit ;;
+      *) fail "unknown option $1; see --help" ;;
+    esac
+    shift
+  done
+}
+
+check_jobs() { [[ $jobs =~ ^[1-9][0-9]*$ ]] || fail "--jobs needs a number above 0"; }
 
 # source_setup FILE: ROS's set-up files read variables that are not set.
 source_setup() {

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "objectness_segmentation/cues/edges.hpp"
+
+#include "crease.hpp"
+#include "edge_detectors.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace objectness {
+namespace {
+
+// An edge this many sigma_z over the table, within these limits, is an object's.
+constexpr double kClearanceSigmas = 3.5;
+constexpr double kMinClearance = 0.004, kMaxClearance = 0.015;  // metres
+
+/// Height over the table that noise does not reach. Along the ray noise counts in full, along a grazing plane little.
+double tableClearance(const Frame& frame, const Table& table, int u, int v) {
+  const Eigen::Vector3d point = frame.points[v * frame.width() + u].cast<double>();
+  const double foreshortening = std::abs(table.normal.dot(point)) / point.z();
+  return std::clamp(kClearanceSigmas * table.noise.sigma(point.z()) * foreshortening, kMinClearance, kMaxClearance);
+}
+
+cv::Mat_<uchar> grown(const cv::Mat_<uchar>& mask, int radius) {
+  cv::Mat_<uchar> result;
+  cv::dilate(mask, result, cv::getStructuringElement(cv::MORPH_RECT, {2 * radius + 1, 2 * radius + 1}));
+  return result;
+}
+
+/// The widest normal window on an object: how far from the objects' points a crease between object and table can lie.
+int widestWindow(const Normals& normals, const ObjectPoints& object_points) {
+  int radius = 1;
+  for (int i = 0; i < static_cast<int>(normals.radius_px.size()); ++i) {
+    if (object_points.mask(i)) radius = std::max<int>(radius, normals.radius_px[i]);
+  }
+  return radius;
+}
+
+cv::Mat_<uchar> findMetricEdges(const Frame& frame, const Normals& normals, const Table& table,
+                                const cv::Mat_<uchar>& around_objects, const EdgesConfig& config) {
+  cv::Mat_<uchar> kinds = findDepthEdges(frame, normals, table.noise, config);
+  const cv::Mat_<uchar> creases =
+      thinCreases(findBends(frame, normals, around_objects), normals, config.crease_deg);
+  kinds.setTo(kHighCurvature, creases & (kinds == 0));
+  return kinds;
+}
+
+bool besideOccluded(const cv::Mat_<uchar>& kinds, int u, int v) {
+  for (int y = std::max(0, v - 1); y <= std::min(kinds.rows - 1, v + 1); ++y) {
+    for (int x = std::max(0, u - 1); x <= std::min(kinds.cols - 1, u + 1); ++x) {
+      if (kinds(y, x) & kOccluded) return true;
+    }
+  }
+  return false;
+}
+
+/// Keeps the edges of objects: shadows' outlines on the table, its rim, and creases that are the foot of a jump go.
+cv::Mat_<uchar> cleaned(const cv::Mat_<uchar>& kinds, const Frame& frame, const Table& table,
+                        const ObjectPoints& object_points, const cv::Mat_<uchar>& near_objects) {
+  cv::Mat_<uchar> kept = cv::Mat_<uchar>::zeros(kinds.size());
+  for (int v = 0; v < kinds.rows; ++v) {
+    for (int u = 0; u < kinds.cols; ++u) {
+      const uchar found = kinds(v, u);
+      if (found == 0 || !near_objects(v, u)) continue;
+      const double clearance = tableClearance(frame, table, u, v);
+      const double height = object_points.height_m(v, u);
+      if (height < -clearance || ((found & kOccluded) && height < 2 * clearance)) continue;
+      uchar kind = found;
+      if (!object_points.mask(v, u)) kind &= kHighCurvature;  // where an object meets the table lies outside its mask
+      if ((kind & kHighCurvature) && besideOccluded(kinds, u, v)) kind &= ~kHighCurvature;
+      kept(v, u) = kind;
+    }
+  }
+  return kept;
+}
+
+}  // namespace
+
+EdgeMap findEdges(const Frame& frame, const Normals& normals, const Table& table, const ObjectPoints& object_points,
+                  const EdgesConfig& config) {
+  const int window = widestWindow(normals, object_points);
+  const cv::Mat_<uchar> near_objects = grown(object_points.mask, window);
+  const cv::Mat_<uchar> kinds = config.pcl ? findPclEdges(frame, normals)
+                                           : findMetricEdges(frame, normals, table, grown(near_objects, window), config);
+  return {cleaned(kinds, frame, table, object_points, near_objects)};
+}
+
+}  // namespace objectness

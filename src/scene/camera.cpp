@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "objectness_segmentation/scene/camera.hpp"
+
+#include <cmath>
+#include <sstream>
+
+namespace objectness {
+namespace {
+
+// Keeps width * height, and the pixel indices derived from it, inside an int.
+constexpr int kMaxSidePx = 16384;
+// Crops of a larger image may have their principal point outside; farther than this it is a mistake.
+constexpr double kMaxPrincipalPointImages = 10;
+
+}  // namespace
+
+Status validate(const PinholeCamera& camera) {
+  std::ostringstream reason;
+  const bool finite = std::isfinite(camera.fx) && std::isfinite(camera.fy) && std::isfinite(camera.cx) &&
+                      std::isfinite(camera.cy);
+  if (camera.width < 1 || camera.height < 1 || camera.width > kMaxSidePx || camera.height > kMaxSidePx) {
+    reason << "camera size is " << camera.width << " x " << camera.height << ", must be within 1 and " << kMaxSidePx
+           << " pixels a side";
+  } else if (!finite) {
+    reason << "camera intrinsics are not finite numbers: fx " << camera.fx << ", fy " << camera.fy << ", cx "
+           << camera.cx << ", cy " << camera.cy;
+  } else if (camera.fx <= 0 || camera.fy <= 0) {
+    reason << "camera focal lengths must be positive, they are fx " << camera.fx << ", fy " << camera.fy
+           << " (is the camera calibrated?)";
+  } else if (std::abs(camera.cx) > kMaxPrincipalPointImages * camera.width ||
+             std::abs(camera.cy) > kMaxPrincipalPointImages * camera.height) {
+    reason << "camera principal point (" << camera.cx << ", " << camera.cy << ") is far outside the image of "
+           << camera.width << " x " << camera.height;
+  } else {
+    return {};
+  }
+  return Status::error(StatusCode::kBadCamera, reason.str());
+}
+
+}  // namespace objectness

@@ -17,6 +17,7 @@ struct TableEvidence {
   double score(const Plane& plane) const;
 };
 
-TableEvidence judgeTable(const SurfaceSamples& samples, const Plane& plane);
+/// `focal` is that of the view's camera, pixels.
+TableEvidence judgeTable(const SurfaceSamples& samples, const Plane& plane, double focal);
 
 }  // namespace objectness

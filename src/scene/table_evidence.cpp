@@ -28,6 +28,7 @@ constexpr double kMinDistanceWeight = 0.05;
 constexpr double kFullAreaM2 = 0.10;
 constexpr double kEnoughInliers = 1500;
 constexpr double kBelowWeight = 3.0;
+constexpr double kEnoughSeen = 0.3;     // of the extent; the rest of a real table hides under things and behind them
 
 /// A connected group of samples over the plane; most numbers are of those over the extent.
 struct Group {
@@ -45,6 +46,7 @@ TableEvidence judgeTable(const SurfaceSamples& view, const Plane& plane, double 
   const cv::Mat_<uchar> extent = extentOf(grid) == kCore;
   cv::Mat_<uchar> core;  // less a rim, where neighbours of the table show
   cv::erode(extent, core, cv::Mat::ones(3, 3, CV_8U));
+  evidence.seen = double(cv::countNonZero(grid.on_plane)) / std::max(1, cv::countNonZero(extent));
   evidence.area_m2 = cv::countNonZero(extent) * kCellM * kCellM;
   const double scale = kNormalView / std::max<std::size_t>(1, view.samples.size());
   evidence.inliers = grid.samples_on_plane * scale;
@@ -115,12 +117,12 @@ TableEvidence judgeTable(const SurfaceSamples& view, const Plane& plane, double 
 }
 
 double TableEvidence::score(const Plane& plane) const {
-  const double orientation = 0.75 - 0.25 * plane.normal.y();  // upwards in the image is likely, nothing is excluded
+  const double orientation = 0.9 - 0.1 * plane.normal.y();  // upwards in the image is likely, nothing is excluded
   const double near = std::max(kMinDistanceWeight, std::min(1.0, (kFarM - distance_m) / (kFarM - kNearM)));
   const double area = std::pow(std::min(1.0, area_m2 / kFullAreaM2), 2);  // leaves out the tops and fronts of boxes
   const double carries = 0.3 + std::log2(1 + carried / 20.0);
   return orientation * near * area * carries / (1 + kBelowWeight * below) *
-         std::sqrt(std::min(1.0, inliers / kEnoughInliers));
+         std::min(1.0, seen / kEnoughSeen) * std::sqrt(std::min(1.0, inliers / kEnoughInliers));
 }
 
 }  // namespace objectness

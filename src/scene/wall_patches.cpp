@@ -12,7 +12,7 @@ namespace objectness {
 namespace {
 
 constexpr double kMinAreaM2 = 0.004;
-constexpr double kMaxInsideShare = 0.4;
+constexpr double kMaxInsideShare = 0.5;
 constexpr double kBorderFactor = 0.5;       // border pixels per square root of the patch's pixels
 constexpr double kCeilingShare = 0.05;      // of the patch, over the ceiling
 constexpr float kMinToleranceM = 0.008f;

@@ -141,6 +141,8 @@ cv::Mat_<uchar> extentOf(const PlaneGrid& grid) {
   // The grid has an empty rim as wide as the closing reaches, so that its border does not stick to the table.
   cv::Mat_<uchar> core, rim, reachable;
   cv::morphologyEx(solid, core, cv::MORPH_CLOSE, square(kReachM, grid.cell_m));
+  core = solid | (core & grid.covered);
+  cv::morphologyEx(core, core, cv::MORPH_CLOSE, square(kBridgedGapM / 2, grid.cell_m));
   core.setTo(0, grid.seen_through);
   const int rim_cells = std::max(1, static_cast<int>(std::lround(kRimM / grid.cell_m)));
   cv::dilate(core, rim,

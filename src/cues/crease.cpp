@@ -82,7 +82,7 @@ cv::Mat_<uchar> thinCreases(const BendMap& bends, const Normals& normals, double
       const int direction = bends.direction(v, u);
       const int steps = stepsOf(direction, normals.radius_px[v * width + u]);
       bool is_ridge = true;
-      for (int k = 1; k <= steps && is_ridge; ++k) {
+      for (int k = 1; k <= (steps + 1) / 2 && is_ridge; ++k) {
         const int du = k * kBendDirections[direction][0], dv = k * kBendDirections[direction][1];
         is_ridge = own > strengthAt(strength, u - du, v - dv) && own >= strengthAt(strength, u + du, v + dv);
       }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "crease.hpp"
 
+#include <opencv2/imgproc.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +10,7 @@ namespace objectness {
 namespace {
 
 constexpr int kMinWindow = 3;  // radius in pixels; normals of smaller windows are noise
+constexpr int kSmoothing = 5;
 
 /// Steps along direction i that are about `radius` pixels long.
 int stepsOf(std::size_t direction, int radius) {
@@ -73,7 +76,8 @@ BendMap findBends(const Frame& frame, const Normals& normals, const cv::Mat_<uch
 cv::Mat_<uchar> thinCreases(const BendMap& bends, const Normals& normals, double min_angle_deg) {
   const int width = bends.convex.cols, height = bends.convex.rows;
   const float min_bend = static_cast<float>(bendOf(min_angle_deg));
-  const cv::Mat_<float> strength = cv::max(bends.convex, bends.concave);
+  cv::Mat_<float> strength;
+  cv::blur(cv::max(bends.convex, bends.concave), strength, {kSmoothing, kSmoothing});
   cv::Mat_<uchar> creases = cv::Mat_<uchar>::zeros(height, width);
   for (int v = 0; v < height; ++v) {
     for (int u = 0; u < width; ++u) {

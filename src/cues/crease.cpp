@@ -9,8 +9,7 @@
 namespace objectness {
 namespace {
 
-constexpr int kMinWindow = 3;  // radius in pixels; normals of smaller windows are noise
-constexpr int kSmoothing = 5;
+constexpr int kSmoothing = 5;  // pixels, less than the smallest window: takes the noise off the ridges, not the ridges
 
 /// Steps along direction i that are about `radius` pixels long.
 int stepsOf(std::size_t direction, int radius) {
@@ -27,7 +26,7 @@ struct Sides {
 Sides sidesOf(const Normals& normals, int width, int height, int u, int v, std::size_t direction) {
   const int full = normals.radius_px[v * width + u];
   for (const int radius : {full, (full + 1) / 2}) {
-    if (radius < kMinWindow) break;
+    if (radius < kMinWindowPx) break;
     const int steps = stepsOf(direction, radius);
     const int du = steps * kBendDirections[direction][0], dv = steps * kBendDirections[direction][1];
     if (u - du < 0 || u + du >= width || v - std::abs(dv) < 0 || v + std::abs(dv) >= height) continue;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "crease.hpp"
 #include "edge_detectors.hpp"
 
 #include <algorithm>
@@ -8,7 +9,6 @@
 namespace objectness {
 namespace {
 
-constexpr double kGrazingSlope = 8.0;       // depth change per z / f of a surface seen at about 83 deg
 constexpr uchar kContinues = kBorder << 1;  // working bit: the same surface, or another one, lies across the gap
 constexpr int kNone = -1;
 

@@ -11,10 +11,10 @@ namespace {
 
 constexpr int kSmoothing = 5;  // pixels, less than the smallest window: takes the noise off the ridges, not the ridges
 
-/// Steps along direction i that are about `radius` pixels long.
+/// Steps along a direction that are about `radius` pixels long.
 int stepsOf(std::size_t direction, int radius) {
   const bool diagonal = direction >= 2;
-  return diagonal ? std::max(1, static_cast<int>(std::lround(radius * M_SQRT1_2))) : radius;
+  return diagonal ? (radius * 181 + 128) / 256 : radius;  // 181 / 256 = sqrt(1/2), rounded to whole steps
 }
 
 struct Sides {

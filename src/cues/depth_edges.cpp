@@ -51,6 +51,7 @@ class DepthEdgeFinder {
   /// a and b: valid pixels `steps` apart in a row or a column, nothing valid between them.
   void compare(int a, int b, int steps) {
     const double z_a = frame_.points[a].z(), z_b = frame_.points[b].z();
+    if (steps == 1 && std::abs(z_a - z_b) <= config_.step_m) return;
     const double near = std::min(z_a, z_b), difference = std::abs(z_a - z_b);
     if (steps > 1 && steps * near > config_.gap_m * focal_) return;
     if (difference > config_.step_m) {

@@ -34,6 +34,11 @@ Sides sidesOf(const Normals& normals, int width, int height, int u, int v, std::
   return {};
 }
 
+float strengthAt(const cv::Mat_<float>& strength, int u, int v) {
+  const bool inside = u >= 0 && v >= 0 && u < strength.cols && v < strength.rows;
+  return inside ? strength(v, u) : 0.f;
+}
+
 }  // namespace
 
 double bendOf(double angle_deg) { return 1.0 - std::cos(angle_deg * M_PI / 180.0); }
@@ -76,10 +81,10 @@ cv::Mat_<uchar> thinCreases(const BendMap& bends, const Normals& normals, double
       if (own < min_bend) continue;
       const int direction = bends.direction(v, u);
       const int steps = stepsOf(direction, normals.radius_px[v * width + u]);
-      const int du = kBendDirections[direction][0], dv = kBendDirections[direction][1];
       bool is_ridge = true;
-      for (int k = 1; k <= steps && is_ridge; ++k) {  // findBends() looked as far: inside the image
-        is_ridge = own > strength(v - k * dv, u - k * du) && own >= strength(v + k * dv, u + k * du);
+      for (int k = 1; k <= steps && is_ridge; ++k) {
+        const int du = k * kBendDirections[direction][0], dv = k * kBendDirections[direction][1];
+        is_ridge = own > strengthAt(strength, u - du, v - dv) && own >= strengthAt(strength, u + du, v + dv);
       }
       if (is_ridge) creases(v, u) = 255;
     }

@@ -133,8 +133,8 @@ class Grower {
 Superpixels findSuperpixels(const Frame& frame, const Normals& normals, const Table& table,
                             const ObjectPoints& object_points, const SuperpixelsConfig& config) {
   Grower grower(frame, normals, table, object_points, config);
-  grower.grow({35, 70, 5, 6});
-  grower.grow({35, 70, 10, 12});
+  grower.grow({30, 70, 5, 6});
+  grower.grow({30, 70, 10, 12});
   return grower.numbered();
 }
 

@@ -55,7 +55,9 @@ HeightMap makeHeightMap(const Frame& frame, const Table& table, const ObjectPoin
 
 cv::Mat_<uchar> aboveTable(const HeightMap& map) {
   cv::Mat_<uchar> seeds = map.height_m > map.threshold_m;  // false for NaN
-  cv::morphologyEx(seeds, seeds, cv::MORPH_OPEN, cv::Mat::ones(2, 2, CV_8U));
+  // An opening with 2 x 2 pixels; cv::morphologyEx would shift it by one.
+  cv::erode(seeds, seeds, cv::Mat::ones(2, 2, CV_8U), cv::Point(0, 0));
+  cv::dilate(seeds, seeds, cv::Mat::ones(2, 2, CV_8U), cv::Point(1, 1));
   cv::Mat labels, stats, centroids;
   const int count = cv::connectedComponentsWithStats(seeds, labels, stats, centroids, 8);
   std::vector<uchar> keep(count, 0);

@@ -20,6 +20,19 @@ struct Region {
   cv::Rect box;
 };
 
+cv::Point cellOf(const Eigen::Vector2f& foot, const TableExtent& extent) {
+  const Eigen::Vector2d cell = (foot.cast<double>() - extent.origin) / extent.cell_m;
+  return {static_cast<int>(std::floor(cell.x())), static_cast<int>(std::floor(cell.y()))};
+}
+
+cv::Mat_<uchar> convexHullRaster(const std::vector<cv::Point>& cells, const cv::Size& size) {
+  std::vector<cv::Point> hull;
+  cv::convexHull(cells, hull);
+  cv::Mat_<uchar> raster(size, uchar(0));
+  cv::fillConvexPoly(raster, hull, cv::Scalar(255));
+  return raster;
+}
+
 double median(std::vector<float>& values) {
   const auto middle = values.begin() + values.size() / 2;
   std::nth_element(values.begin(), middle, values.end());
@@ -59,7 +72,6 @@ void addHollowFloors(const Frame& frame, const Table& table, const HeightMap& ma
     const bool at_border = region.box.x == 0 || region.box.y == 0 || region.box.br().x == width || region.box.br().y == height;
     if (at_border || region.pixels < kMinFloorPixels) region.neighbour = -1;
   }
-  std::vector<std::vector<cv::Point2f>> footprints(things.count + 1);
   for (int v = 0; v < height; ++v) {
     for (int u = 0; u < width; ++u) {
       const int thing = things.label(v, u);
@@ -76,18 +88,20 @@ void addHollowFloors(const Frame& frame, const Table& table, const HeightMap& ma
   for (int k = 1; k < count; ++k) {
     if (regions[k].neighbour > 0) hollow[regions[k].neighbour] = true;
   }
+  std::vector<std::vector<cv::Point>> footprints(things.count + 1);  // cells of the table's extent
   for (int i = 0; i < frame.size(); ++i) {
-    const int thing = things.label(i / width, i % width);
-    if (thing == 0 || !hollow[thing]) continue;
-    const Eigen::Vector2f foot = axes * frame.points[i];
-    footprints[thing].emplace_back(foot.x(), foot.y());
+    const int thing = things.label.ptr<int>()[i];
+    if (hollow[thing]) footprints[thing].push_back(cellOf(axes * frame.points[i], table.extent));
+  }
+  std::vector<cv::Mat_<uchar>> hulls(things.count + 1);
+  for (int thing = 1; thing <= things.count; ++thing) {
+    if (hollow[thing]) hulls[thing] = convexHullRaster(footprints[thing], table.extent.cells.size());
   }
 
   for (int k = 1; k < count; ++k) {
     const Region& region = regions[k];
     if (region.neighbour <= 0) continue;
-    std::vector<cv::Point2f> hull;
-    cv::convexHull(footprints[region.neighbour], hull);
+    const cv::Mat_<uchar>& hull = hulls[region.neighbour];
     std::vector<cv::Point> floor;
     std::vector<float> heights;
     double depth = 0;
@@ -96,8 +110,8 @@ void addHollowFloors(const Frame& frame, const Table& table, const HeightMap& ma
         const float h = map.height_m(v, u);
         if (labels(v, u) != k || !(std::abs(h) <= 2 * map.threshold_m(v, u))) continue;
         const Eigen::Vector3f& p = frame.points[v * width + u];
-        const Eigen::Vector2f foot = axes * p;
-        if (cv::pointPolygonTest(hull, cv::Point2f(foot.x(), foot.y()), false) < 0) continue;
+        const cv::Point cell = cellOf(axes * p, table.extent);
+        if (!cv::Rect(0, 0, hull.cols, hull.rows).contains(cell) || hull(cell) == 0) continue;
         floor.emplace_back(u, v);
         heights.push_back(h);
         depth += p.z();

@@ -35,7 +35,7 @@ std::vector<Patch> patchesNear(const SurfaceSamples& view, const Plane& plane) {
     if (!sample.valid() || !sample.hasNormal() || sample.normal.dot(fast.normal) < kMinNormalCosine) continue;
     if (std::abs(fast.height(sample.point)) > std::max(kLayersM, sample.tolerance())) continue;
     const Eigen::Vector2f foot = axes * sample.point;
-    if (grid.cell(foot.x(), foot.y(), cell) && extent(cell)) cells[cell.y * extent.cols + cell.x].push_back(&sample);
+    if (grid.cell(foot.x(), foot.y(), cell) && extent(cell) == kCore) cells[cell.y * extent.cols + cell.x].push_back(&sample);
   }
   std::vector<Patch> patches;
   for (auto& members : cells) {

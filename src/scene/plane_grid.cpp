@@ -12,27 +12,39 @@ namespace {
 constexpr double kMaxReachM = 4.0;     // of a table from its middle; keeps the grid of a hall's floor small
 constexpr double kBridgedGapM = 0.025;  // missing depth within the surface
 constexpr double kSpeckM = 0.015;       // points that only happen to be at table height
-constexpr double kBridgedShadowM = 0.16;
+constexpr double kMinPartM2 = 0.0025;   // of the surface seen between things; smaller ones are not part of it
+constexpr double kReachM = 0.16;        // how far the table goes on under things and their shadows
+constexpr double kRimM = 0.05;          // things stand at the very edge, and table edges are rounded
 constexpr float kMinNormalCosine = 0.9063f;  // 25 deg
 constexpr float kBehindM = 0.015f;      // beyond the tolerance: further behind the plane than any dent of a table
-constexpr double kMarginM = 0.06;       // empty rim, room for the extent to be dilated
+constexpr float kCoverCeilingM = 0.45f;  // higher things rather stand behind the table
 
-/// Structuring element that reaches length_m / 2 to each side.
-cv::Mat square(double length_m, double cell_m) {
-  const int reach = std::max(1, static_cast<int>(std::lround(length_m / cell_m / 2)));
+/// Structuring element that reaches this far to each side.
+cv::Mat square(double reach_m, double cell_m) {
+  const int reach = std::max(1, static_cast<int>(std::lround(reach_m / cell_m)));
   return cv::Mat::ones(2 * reach + 1, 2 * reach + 1, CV_8U);
 }
 
-cv::Mat_<uchar> largestPart(const cv::Mat_<uchar>& cells) {
+cv::Mat_<uchar> withoutSmallParts(const cv::Mat_<uchar>& cells, double min_cells) {
   cv::Mat labels, stats, centroids;
-  const int count = cv::connectedComponentsWithStats(cells, labels, stats, centroids, 4);
-  int best = 0, best_area = 0;
-  for (int i = 1; i < count; ++i) {
-    const int area = stats.at<int>(i, cv::CC_STAT_AREA);
-    if (area > best_area) best_area = area, best = i;
+  const int count = cv::connectedComponentsWithStats(cells, labels, stats, centroids, 8);
+  std::vector<uchar> keep(count, 0);
+  for (int i = 1; i < count; ++i) keep[i] = stats.at<int>(i, cv::CC_STAT_AREA) >= min_cells ? 255 : 0;
+  cv::Mat_<uchar> result(cells.size());
+  std::transform(labels.begin<int>(), labels.end<int>(), result.begin(), [&](int label) { return keep[label]; });
+  return result;
+}
+
+/// The connected part of `cells` that holds most of `counted`.
+cv::Mat_<uchar> mainPart(const cv::Mat_<uchar>& cells, const cv::Mat_<uchar>& counted) {
+  cv::Mat labels;
+  std::vector<int> counts(cv::connectedComponents(cells, labels, 4, CV_32S), 0);
+  for (std::size_t i = 0; i < cells.total(); ++i) {
+    if (cells.data[i] && counted.data[i]) ++counts[labels.ptr<int>()[i]];
   }
-  if (best == 0) return cv::Mat_<uchar>(cells.size(), uchar(0));
-  return cv::Mat_<uchar>(labels == best);
+  const auto best = std::max_element(counts.begin(), counts.end());
+  if (*best == 0) return cv::Mat_<uchar>(cells.size(), uchar(0));
+  return cv::Mat_<uchar>(labels == static_cast<int>(best - counts.begin()));
 }
 
 cv::Mat_<uchar> fillHoles(const cv::Mat_<uchar>& cells) {
@@ -91,13 +103,14 @@ PlaneGrid makePlaneGrid(const SurfaceSamples& samples, const Plane& plane, doubl
     high = high.cwiseMax(p.cast<double>());
   }
   const Eigen::Vector2d reach = Eigen::Vector2d::Constant(kMaxReachM);
-  low = low.cwiseMax(middle - reach) - Eigen::Vector2d::Constant(kMarginM);
-  high = high.cwiseMin(middle + reach) + Eigen::Vector2d::Constant(kMarginM);
+  low = low.cwiseMax(middle - reach) - Eigen::Vector2d::Constant(kReachM);
+  high = high.cwiseMin(middle + reach) + Eigen::Vector2d::Constant(kReachM);
   grid.origin = low;
   const int columns = static_cast<int>(std::ceil((high.x() - low.x()) / cell_m));
   const int rows = static_cast<int>(std::ceil((high.y() - low.y()) / cell_m));
   grid.on_plane = cv::Mat_<uchar>(rows, columns, uchar(0));
   grid.seen_through = cv::Mat_<uchar>(rows, columns, uchar(0));
+  grid.covered = cv::Mat_<uchar>(rows, columns, uchar(0));
 
   cv::Point cell;
   for (const auto& p : on_plane) {
@@ -106,26 +119,43 @@ PlaneGrid makePlaneGrid(const SurfaceSamples& samples, const Plane& plane, doubl
   for (const auto& sample : samples.samples) {
     if (!sample.valid()) continue;
     const float height = fast.height(sample.point);
-    if (height >= -(sample.tolerance() + kBehindM)) continue;
+    const Eigen::Vector2f foot = axes * sample.point;
     const float scale = fast.d / (fast.d - height);  // the ray from the camera (at height d) crosses height 0 here
-    const Eigen::Vector2f crossing = axes * sample.point * scale;
-    if (grid.cell(crossing.x(), crossing.y(), cell) && grid.on_plane(cell) == 0) grid.seen_through(cell) = 255;
+    const bool crosses = scale > 0 && grid.cell(foot.x() * scale, foot.y() * scale, cell);
+    if (height < -(sample.tolerance() + kBehindM)) {
+      if (crosses && grid.on_plane(cell) == 0) grid.seen_through(cell) = 255;
+    } else if (height > sample.tolerance() && height < kCoverCeilingM) {
+      if (crosses) grid.covered(cell) = 255;
+      if (grid.cell(foot.x(), foot.y(), cell)) grid.covered(cell) = 255;
+    }
   }
   return grid;
 }
 
 cv::Mat_<uchar> extentOf(const PlaneGrid& grid) {
-  cv::Mat_<uchar> solid, bridged;
-  cv::morphologyEx(grid.on_plane, solid, cv::MORPH_CLOSE, square(kBridgedGapM, grid.cell_m));
-  cv::morphologyEx(solid, solid, cv::MORPH_OPEN, square(kSpeckM, grid.cell_m));
-  // Without a frame of empty cells the closing would stick the border of the grid to the table.
-  const int pad = static_cast<int>(std::ceil(kBridgedShadowM / grid.cell_m));
-  cv::Mat padded;
-  cv::copyMakeBorder(solid, padded, pad, pad, pad, pad, cv::BORDER_CONSTANT, cv::Scalar(0));
-  cv::morphologyEx(padded, padded, cv::MORPH_CLOSE, square(kBridgedShadowM, grid.cell_m));
-  bridged = padded(cv::Rect(pad, pad, solid.cols, solid.rows)).clone();
-  bridged.setTo(0, grid.seen_through);
-  return fillHoles(largestPart(bridged));
+  cv::Mat_<uchar> solid;
+  cv::morphologyEx(grid.on_plane, solid, cv::MORPH_CLOSE, square(kBridgedGapM / 2, grid.cell_m));
+  cv::morphologyEx(solid, solid, cv::MORPH_OPEN, square(kSpeckM / 2, grid.cell_m));
+  solid = withoutSmallParts(solid, kMinPartM2 / (grid.cell_m * grid.cell_m));
+
+  // The grid has an empty rim as wide as the closing reaches, so that its border does not stick to the table.
+  cv::Mat_<uchar> core, rim, reachable;
+  cv::morphologyEx(solid, core, cv::MORPH_CLOSE, square(kReachM, grid.cell_m));
+  core = solid | (core & grid.covered);
+  cv::morphologyEx(core, core, cv::MORPH_CLOSE, square(kBridgedGapM / 2, grid.cell_m));
+  core.setTo(0, grid.seen_through);
+  const int rim_cells = std::max(1, static_cast<int>(std::lround(kRimM / grid.cell_m)));
+  cv::dilate(core, rim,
+             cv::getStructuringElement(cv::MORPH_ELLIPSE, cv::Size(2 * rim_cells + 1, 2 * rim_cells + 1)));
+  cv::dilate(core, reachable, square(kReachM, grid.cell_m));
+  cv::Mat_<uchar> all = core | rim | (reachable & grid.covered);
+  all.setTo(0, grid.seen_through);
+
+  const cv::Mat_<uchar> part = mainPart(all, solid);
+  core = fillHoles(core & part);
+  cv::Mat_<uchar> extent = fillHoles(part) & kMargin;
+  extent.setTo(kCore, core);
+  return extent;
 }
 
 }  // namespace objectness

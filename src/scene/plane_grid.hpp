@@ -15,6 +15,7 @@ struct PlaneGrid {
   double cell_m = 0.02;
   cv::Mat_<uchar> on_plane;      ///< 255 = a sample lies on the plane here
   cv::Mat_<uchar> seen_through;  ///< 255 = samples lie behind the plane on rays that cross it here: certainly no table
+  cv::Mat_<uchar> covered;       ///< 255 = a sample lies over the plane here, or hides it
   int samples_on_plane = 0;
 
   bool empty() const { return on_plane.empty(); }
@@ -24,8 +25,12 @@ struct PlaneGrid {
 
 PlaneGrid makePlaneGrid(const SurfaceSamples& samples, const Plane& plane, double cell_m);
 
+/// Values of the cells of an extent.
+constexpr uchar kCore = 255;    ///< table that was seen, and what it surrounds
+constexpr uchar kMargin = 128;  ///< next to it: the rounded edge, and covered places the table probably goes on under
+
 /// The table's extent: cells on the plane without specks, the shadows behind things bridged, holes filled, but nothing
-/// that was seen through; the largest connected part. Same size as the grid, 255 = inside.
+/// that was seen through; the largest connected part. Same size as the grid, 0 = outside.
 cv::Mat_<uchar> extentOf(const PlaneGrid& grid);
 
 }  // namespace objectness

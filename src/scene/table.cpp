@@ -19,7 +19,6 @@ namespace {
 constexpr int kSampleCount = 40000;        // to find planes in
 constexpr int kExtentSampleCount = 120000;  // to draw the extent from
 constexpr double kExtentCellM = 0.01;
-constexpr double kExtentGrowthM = 0.05;    // things stand at the very edge, and table edges are rounded
 constexpr double kOutlineToleranceCells = 1.0;
 
 Result<Plane> givenPlane(const TableConfig& config) {
@@ -35,7 +34,8 @@ Result<Plane> givenPlane(const TableConfig& config) {
 }
 
 /// The best table among the planes.
-Result<Plane> choosePlane(const SurfaceSamples& samples, const std::vector<Plane>& planes, const TableConfig& config) {
+Result<Plane> choosePlane(const SurfaceSamples& samples, double focal, const std::vector<Plane>& planes,
+                          const TableConfig& config) {
   const Eigen::Vector3d up(config.up_x, config.up_y, config.up_z);
   if (config.up_known && !(up.norm() > 0)) {
     return Result<Plane>::error(StatusCode::kBadConfig, "table.up_known is set but (up_x, up_y, up_z) has no length");
@@ -49,7 +49,7 @@ Result<Plane> choosePlane(const SurfaceSamples& samples, const std::vector<Plane
       ++tilted;
       continue;
     }
-    const TableEvidence evidence = judgeTable(samples, plane);
+    const TableEvidence evidence = judgeTable(samples, plane, focal);
     largest = std::max(largest, evidence.area_m2);
     const double score = evidence.score(plane);
     if (evidence.area_m2 >= config.min_area_m2 && score > best_score) best_score = score, best = &plane;
@@ -78,19 +78,6 @@ std::vector<Plane> otherPlanes(const std::vector<Plane>& planes, const Plane& ta
   return others;
 }
 
-TableExtent growExtent(const PlaneGrid& grid, const cv::Mat_<uchar>& extent) {
-  const int reach = static_cast<int>(std::lround(kExtentGrowthM / grid.cell_m));
-  const cv::Mat disk = cv::getStructuringElement(cv::MORPH_ELLIPSE, cv::Size(2 * reach + 1, 2 * reach + 1));
-  TableExtent result;
-  cv::Mat_<uchar> grown;
-  cv::dilate(extent, grown, disk);
-  grown.setTo(0, grid.seen_through);
-  result.cells = grown | extent;
-  result.origin = grid.origin;
-  result.cell_m = grid.cell_m;
-  return result;
-}
-
 std::vector<Eigen::Vector2d> outline(const TableExtent& extent) {
   std::vector<std::vector<cv::Point>> contours;
   cv::findContours(extent.cells.clone(), contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
@@ -115,7 +102,7 @@ Result<Table> findTable(const Frame& frame, const Normals& normals, const TableC
   const SurfaceSamples samples = sampleSurface(frame, normals, prior, kSampleCount);
   const std::vector<Plane> planes = findPlanes(samples);
 
-  Result<Plane> chosen = config.given ? givenPlane(config) : choosePlane(samples, planes, config);
+  Result<Plane> chosen = config.given ? givenPlane(config) : choosePlane(samples, frame.camera.focal(), planes, config);
   if (!chosen.ok()) return Result<Table>::error(chosen.status);
   const Plane plane = config.given ? chosen.value : settleOnLowestLayer(samples, chosen.value);
 
@@ -133,7 +120,7 @@ Result<Table> findTable(const Frame& frame, const Normals& normals, const TableC
   table.normal = plane.normal;
   table.d = plane.d;
   table.T_table_camera = grid.T_table_camera;
-  table.extent = growExtent(grid, extent);
+  table.extent = {extent, grid.origin, grid.cell_m};
   table.hull = outline(table.extent);
   table.noise = measureNoise(dense, plane, grid, extent);
   table.other_planes = otherPlanes(planes, plane);

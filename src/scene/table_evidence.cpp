@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "table_evidence.hpp"
 
+#include "connected_points.hpp"
+
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -14,6 +16,10 @@ constexpr float kCeilingM = 0.45f;      // what reaches higher is rather a wall,
 constexpr float kFootM = 0.04f;         // a thing on the plane is seen down to here
 constexpr int kMinFootSamples = 3;
 constexpr int kMinGroup = 6;
+constexpr double kMaxOutside = 1;       // samples beside the plane per sample over it
+constexpr float kGapM = 0.015f;
+constexpr double kGapPixels = 3;        // of z / f, per sample
+constexpr float kGapSigmas = 4;
 constexpr double kUnlikely = 0.2;       // weight of groups that are too high or too wide
 constexpr double kNormalView = 40000.0;
 
@@ -22,22 +28,25 @@ constexpr double kMinDistanceWeight = 0.05;
 constexpr double kFullAreaM2 = 0.10;
 constexpr double kEnoughInliers = 1500;
 constexpr double kBelowWeight = 3.0;
+constexpr double kEnoughSeen = 0.3;     // of the extent; the rest of a real table hides under things and behind them
 
-/// A connected group of samples over the plane.
+/// A connected group of samples over the plane; most numbers are of those over the extent.
 struct Group {
   int count = 0, foot = 0, too_high = 0;
+  int outside = 0;
   Eigen::Vector2f low = Eigen::Vector2f::Constant(1e9f), high = Eigen::Vector2f::Constant(-1e9f);
 };
 
 }  // namespace
 
-TableEvidence judgeTable(const SurfaceSamples& view, const Plane& plane) {
+TableEvidence judgeTable(const SurfaceSamples& view, const Plane& plane, double focal) {
   TableEvidence evidence;
   const PlaneGrid grid = makePlaneGrid(view, plane, kCellM);
   if (grid.empty()) return evidence;
-  const cv::Mat_<uchar> extent = extentOf(grid);
+  const cv::Mat_<uchar> extent = extentOf(grid) == kCore;
   cv::Mat_<uchar> core;  // less a rim, where neighbours of the table show
   cv::erode(extent, core, cv::Mat::ones(3, 3, CV_8U));
+  evidence.seen = double(cv::countNonZero(grid.on_plane)) / std::max(1, cv::countNonZero(extent));
   evidence.area_m2 = cv::countNonZero(extent) * kCellM * kCellM;
   const double scale = kNormalView / std::max<std::size_t>(1, view.samples.size());
   evidence.inliers = grid.samples_on_plane * scale;
@@ -46,7 +55,8 @@ TableEvidence judgeTable(const SurfaceSamples& view, const Plane& plane) {
   const FastPlane fast(plane);
   const Eigen::Matrix<float, 2, 3> axes = grid.T_table_camera.linear().topRows<2>().cast<float>();
   cv::Mat_<uchar> above(view.height, view.width, uchar(0));
-  std::vector<Eigen::Vector3f> table_points(view.samples.size());
+  cv::Mat_<uchar> over_core(view.height, view.width, uchar(0));
+  std::vector<Eigen::Vector3f> points(view.samples.size()), table_points(view.samples.size());
   std::vector<float> depths;
   int below = 0;
   cv::Point cell;
@@ -55,10 +65,14 @@ TableEvidence judgeTable(const SurfaceSamples& view, const Plane& plane) {
     if (!sample.valid()) continue;
     const float height = fast.height(sample.point);
     const Eigen::Vector2f foot = axes * sample.point;
+    points[i] = sample.point;
     table_points[i] << foot, height;
-    if (!grid.cell(foot.x(), foot.y(), cell) || core(cell) == 0) continue;
+    const bool inside = grid.cell(foot.x(), foot.y(), cell) && core(cell);
     if (height > sample.tolerance()) {
       above.data[i] = 255;
+      over_core.data[i] = inside;
+    } else if (!inside) {
+      continue;
     } else if (height < -sample.tolerance()) {
       ++below;
     } else {
@@ -71,11 +85,18 @@ TableEvidence judgeTable(const SurfaceSamples& view, const Plane& plane) {
     evidence.distance_m = depths[depths.size() / 2];
   }
 
-  cv::Mat_<int> labels;
-  std::vector<Group> groups(cv::connectedComponents(above, labels, 8, CV_32S));
+  // What stands on the plane goes on little beyond it; the walls of a bin do.
+  int parts = 0;
+  const Gap gap{kGapM, static_cast<float>(kGapPixels * view.stride / focal), kGapSigmas, DepthNoise()};
+  const cv::Mat_<int> labels = connectPoints(points, above, gap, parts);
+  std::vector<Group> groups(parts + 1);
   for (std::size_t i = 0; i < view.samples.size(); ++i) {
     if (above.data[i] == 0) continue;
-    Group& group = groups[labels(static_cast<int>(i) / view.width, static_cast<int>(i) % view.width)];
+    Group& group = groups[labels.ptr<int>()[i]];
+    if (over_core.data[i] == 0) {
+      ++group.outside;
+      continue;
+    }
     const Eigen::Vector3f& p = table_points[i];
     ++group.count;
     group.foot += p.z() < kFootM;
@@ -87,7 +108,8 @@ TableEvidence judgeTable(const SurfaceSamples& view, const Plane& plane) {
   double carried = 0;
   for (const Group& group : groups) {
     if (group.count < kMinGroup || group.foot < kMinFootSamples) continue;
-    const bool unlikely = 2 * group.too_high > group.count || (group.high - group.low).maxCoeff() > wide;
+    const bool unlikely = group.outside > kMaxOutside * group.count || 2 * group.too_high > group.count ||
+                          (group.high - group.low).maxCoeff() > wide;
     carried += group.count * (unlikely ? kUnlikely : 1.0);
   }
   evidence.carried = static_cast<int>(carried * scale);
@@ -95,12 +117,12 @@ TableEvidence judgeTable(const SurfaceSamples& view, const Plane& plane) {
 }
 
 double TableEvidence::score(const Plane& plane) const {
-  const double orientation = 0.75 - 0.25 * plane.normal.y();  // upwards in the image is likely, nothing is excluded
+  const double orientation = 0.9 - 0.1 * plane.normal.y();  // upwards in the image is likely, nothing is excluded
   const double near = std::max(kMinDistanceWeight, std::min(1.0, (kFarM - distance_m) / (kFarM - kNearM)));
   const double area = std::pow(std::min(1.0, area_m2 / kFullAreaM2), 2);  // leaves out the tops and fronts of boxes
   const double carries = 0.3 + std::log2(1 + carried / 20.0);
   return orientation * near * area * carries / (1 + kBelowWeight * below) *
-         std::sqrt(std::min(1.0, inliers / kEnoughInliers));
+         std::min(1.0, seen / kEnoughSeen) * std::sqrt(std::min(1.0, inliers / kEnoughInliers));
 }
 
 }  // namespace objectness

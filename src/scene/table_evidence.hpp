@@ -11,12 +11,14 @@ struct TableEvidence {
   double distance_m = 0;  ///< median depth of its samples
   int carried = 0;       ///< samples of things that stand on it, scaled to 40 000 samples a view
   double below = 0;      ///< samples under it within its extent, per sample on it
+  double seen = 0;       ///< share of the extent that is seen rather than bridged
   double inliers = 0;    ///< samples on it, scaled to 40 000 samples a view
 
   /// Larger is more table-like; for comparing planes of one view.
   double score(const Plane& plane) const;
 };
 
-TableEvidence judgeTable(const SurfaceSamples& samples, const Plane& plane);
+/// `focal` is that of the view's camera, pixels.
+TableEvidence judgeTable(const SurfaceSamples& samples, const Plane& plane, double focal);
 
 }  // namespace objectness

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wall_patches.hpp"
 
-#include "surface_samples.hpp"
+#include "plane_grid.hpp"
 
 #include <opencv2/imgproc.hpp>
 
@@ -12,13 +12,12 @@ namespace objectness {
 namespace {
 
 constexpr double kMinAreaM2 = 0.004;
-constexpr double kMaxInsideShare = 0.4;
+constexpr double kMaxInsideShare = 0.5;
 constexpr double kBorderFactor = 0.5;       // border pixels per square root of the patch's pixels
 constexpr double kCeilingShare = 0.05;      // of the patch, over the ceiling
 constexpr float kMinToleranceM = 0.008f;
 constexpr float kToleranceSigmas = 4.0f;
 constexpr float kMinNormalCosine = 0.866f;  // 30 deg
-constexpr double kCoreRimM = 0.05;          // by which the extent was grown beyond the table seen
 
 struct Patch {
   int pixels = 0, inside = 0, border = 0, too_high = 0;
@@ -47,9 +46,6 @@ void removeWalls(const Frame& frame, const Normals& normals, const Table& table,
                  const ObjectPointsConfig& config, cv::Mat_<uchar>& mask) {
   const int width = frame.width(), height = frame.height();
   const double focal = frame.camera.focal();
-  TableExtent core = table.extent;
-  const int rim = static_cast<int>(std::lround(kCoreRimM / core.cell_m));
-  cv::erode(core.cells, core.cells, cv::Mat::ones(2 * rim + 1, 2 * rim + 1, CV_8U));
   const Eigen::Matrix<double, 2, 3> axes = table.T_table_camera.linear().topRows<2>();
 
   for (const Plane& plane : table.other_planes) {
@@ -63,7 +59,7 @@ void removeWalls(const Frame& frame, const Normals& normals, const Table& table,
         const Eigen::Vector3d p = frame.points[i].cast<double>();
         const Eigen::Vector2d foot = axes * p;
         ++patch.pixels;
-        patch.inside += core.contains(foot.x(), foot.y());
+        patch.inside += table.extent.at(foot.x(), foot.y()) == kCore;
         patch.border += u == 0 || v == 0 || u + 1 == width || v + 1 == height;
         patch.too_high += map.height_m(v, u) > config.max_height_m;
         patch.area_m2 += p.z() * p.z() / (focal * focal);

@@ -12,15 +12,19 @@ namespace objectness {
 
 /// A raster of the table's own extent in the x-y plane of the table frame: what decides whether a point is "on it".
 struct TableExtent {
-  cv::Mat_<uchar> cells;                              ///< 255 = table; row = y, column = x
-  Eigen::Vector2d origin = Eigen::Vector2d::Zero();   ///< corner of cell (0, 0) with the smallest x and y, metres
-  double cell_m = 0.01;                               ///< side of a cell
+  /// Row = y, column = x. 255 = table that was seen and what it surrounds, 128 = next to it (its rounded edge, places
+  /// covered by things it probably goes on under), 0 = not the table.
+  cv::Mat_<uchar> cells;
+  Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< corner of cell (0, 0) with the smallest x and y, metres
+  double cell_m = 0.01;                              ///< side of a cell
 
-  bool contains(double x, double y) const {
+  /// The cell that holds a point of the table plane; 0 outside the raster.
+  uchar at(double x, double y) const {
     const int column = static_cast<int>(std::floor((x - origin.x()) / cell_m));
     const int row = static_cast<int>(std::floor((y - origin.y()) / cell_m));
-    return column >= 0 && row >= 0 && column < cells.cols && row < cells.rows && cells(row, column) != 0;
+    return column >= 0 && row >= 0 && column < cells.cols && row < cells.rows ? cells(row, column) : uchar(0);
   }
+  bool contains(double x, double y) const { return at(x, y) != 0; }
 };
 
 /// A plane n . p + d = 0; n is a unit vector in the optical frame, towards the camera (d > 0: the camera's distance).

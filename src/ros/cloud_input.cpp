@@ -104,7 +104,7 @@ Result<RawCloud> toRawCloud(const PointCloud2& message) {
       std::memcpy(&p.x(), point + x.value, kFieldSize);
       std::memcpy(&p.y(), point + y.value, kFieldSize);
       std::memcpy(&p.z(), point + z.value, kFieldSize);
-      if (color) std::memcpy(&cloud.colors[i], point + *color, 3);  // a packed colour is B, G, R, A in memory
+      if (color) std::memcpy(cloud.colors[i].val, point + *color, 3);  // a packed colour is B, G, R, A in memory
     }
   }
   return result;

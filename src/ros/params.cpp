@@ -4,184 +4,144 @@
 #include <algorithm>
 #include <set>
 #include <sstream>
+#include <type_traits>
+#include <variant>
 
 namespace objectness_segmentation {
 namespace {
 
 using objectness::Config;
-using objectness::Range;
+using objectness::ConfigField;
+using objectness::configFields;
+using XmlRpc::XmlRpcValue;
 
-/// Exact types only, but a whole number may stand for a double: `max_depth_m: 6`.
-bool assign(const XmlRpc::XmlRpcValue& value, double& field) {
-  XmlRpc::XmlRpcValue copy = value;  // its conversions are not const
-  if (copy.getType() == XmlRpc::XmlRpcValue::TypeInt) {
-    field = static_cast<int>(copy);
+/// The name in the nested form of the presets.
+std::string nestedName(const ConfigField& field) { return field.group + "/" + field.name; }
+
+/// Exact types only, but a whole number may stand for a double: `max_depth_m: 6`. Takes a copy as XmlRpcValue's conversions
+/// are not const.
+bool convert(XmlRpcValue from, double& to) {
+  if (from.getType() == XmlRpcValue::TypeInt) {
+    to = static_cast<int>(from);
     return true;
   }
-  if (copy.getType() != XmlRpc::XmlRpcValue::TypeDouble) return false;
-  field = static_cast<double>(copy);
+  if (from.getType() != XmlRpcValue::TypeDouble) return false;
+  to = static_cast<double>(from);
+  return true;
+}
+bool convert(XmlRpcValue from, int& to) {
+  if (from.getType() != XmlRpcValue::TypeInt) return false;
+  to = static_cast<int>(from);
+  return true;
+}
+bool convert(XmlRpcValue from, bool& to) {
+  if (from.getType() != XmlRpcValue::TypeBoolean) return false;
+  to = static_cast<bool>(from);
   return true;
 }
 
-bool assign(const XmlRpc::XmlRpcValue& value, int& field) {
-  XmlRpc::XmlRpcValue copy = value;
-  if (copy.getType() != XmlRpc::XmlRpcValue::TypeInt) return false;
-  field = static_cast<int>(copy);
-  return true;
+/// Sets the field; false, and the field as it was, when the value has the wrong type or is out of range.
+bool assign(const XmlRpcValue& value, const ConfigField& field) {
+  return std::visit(
+      [&](auto* target) {
+        auto converted = *target;
+        // The comparison is false for NaN.
+        if (!convert(value, converted) || !(converted >= field.range.min && converted <= field.range.max)) return false;
+        *target = converted;
+        return true;
+      },
+      field.value);
 }
 
-bool assign(const XmlRpc::XmlRpcValue& value, bool& field) {
-  XmlRpc::XmlRpcValue copy = value;
-  if (copy.getType() != XmlRpc::XmlRpcValue::TypeBoolean) return false;
-  field = static_cast<bool>(copy);
-  return true;
-}
-
-std::string expected(double, const Range& range) {
+std::string expectation(const ConfigField& field) {
+  if (std::holds_alternative<bool*>(field.value)) return "true or false";
   std::ostringstream text;
-  text << "a number from " << range.min << " to " << range.max;
+  text << (std::holds_alternative<int*>(field.value) ? "a whole number" : "a number") << " from " << field.range.min
+       << " to " << field.range.max;
   return text.str();
 }
-std::string expected(int, const Range& range) {
-  std::ostringstream text;
-  text << "a whole number from " << static_cast<long>(range.min) << " to " << static_cast<long>(range.max);
-  return text.str();
-}
-
-template <class Number>
-bool accepted(Number value, const Range& range) {
-  return value >= range.min && value <= range.max;  // false for NaN
-}
-
-/// Reads one parameter, flat or nested, into a field.
-class FieldReader {
- public:
-  FieldReader(const ros::NodeHandle& nh, ReadParameters& result) : nh_(nh), result_(result) {}
-
-  template <class Number>
-  void operator()(const std::string& group, const std::string& name, Number& field, const Range& range, const char*) {
-    read(group, name, field, expected(Number{}, range), [&range](Number value) { return accepted(value, range); });
-  }
-  void operator()(const std::string& group, const std::string& name, bool& field, const char*) {
-    read(group, name, field, "true or false", [](bool) { return true; });
-  }
-
- private:
-  template <class Field, class IsAccepted>
-  void read(const std::string& group, const std::string& name, Field& field, const std::string& expectation,
-            IsAccepted is_accepted) {
-    for (const std::string& key : {group + "/" + name.substr(group.size() + 1), name}) {
-      XmlRpc::XmlRpcValue parameter;
-      if (!nh_.getParam(key, parameter)) continue;
-      Field value = field;
-      if (assign(parameter, value) && is_accepted(value)) {
-        field = value;
-        continue;
-      }
-      std::ostringstream problem;
-      problem << "parameter " << nh_.resolveName(key) << " is " << parameter.toXml() << ", expected is " << expectation
-              << ": using " << field;
-      result_.problems.push_back(problem.str());
-    }
-  }
-
-  const ros::NodeHandle& nh_;
-  ReadParameters& result_;
-};
 
 /// Parameters below nh that nobody reads: most likely misspelt.
 std::vector<std::string> findUnknown(const ros::NodeHandle& nh, const std::vector<std::string>& others) {
   std::set<std::string> known(others.begin(), others.end());
   Config config;
-  visitParameters(config, [&known](const std::string& group, const std::string& name, const auto&...) {
-    known.insert(name);
-    known.insert(group + "/" + name.substr(group.size() + 1));
-  });
+  for (const ConfigField& field : configFields(config)) known.insert({parameterName(field), nestedName(field)});
   std::vector<std::string> all, unknown;
   nh.getParamNames(all);
   const std::string prefix = nh.getNamespace() + "/";
   for (const std::string& name : all) {
     if (name.compare(0, prefix.size(), prefix) == 0 && known.count(name.substr(prefix.size())) == 0) {
-      unknown.push_back("parameter " + name + " is not known: it is ignored");
+      unknown.push_back("parameter " + name + " is not known and has no effect");
     }
   }
   return unknown;
 }
 
-/// Appends every reconfigurable field to the list of its type.
-struct MessageWriter {
-  dynamic_reconfigure::Config& message;
-
-  void operator()(const std::string& group, const std::string& name, double value, const Range&, const char*) {
-    append(group, name, value, message.doubles);
-  }
-  void operator()(const std::string& group, const std::string& name, int value, const Range&, const char*) {
-    append(group, name, value, message.ints);
-  }
-  void operator()(const std::string& group, const std::string& name, bool value, const char*) {
-    append(group, name, value, message.bools);
-  }
-
-  template <class Value, class List>
-  static void append(const std::string& group, const std::string& name, Value value, List& list) {
-    if (!isReconfigurable(group)) return;
-    list.emplace_back();
-    list.back().name = name;
-    list.back().value = value;
-  }
-};
-
-struct MessageReader {
-  const dynamic_reconfigure::Config& message;
-
-  void operator()(const std::string& group, const std::string& name, double& field, const Range&, const char*) {
-    find(group, name, field, message.doubles);
-  }
-  void operator()(const std::string& group, const std::string& name, int& field, const Range&, const char*) {
-    find(group, name, field, message.ints);
-  }
-  void operator()(const std::string& group, const std::string& name, bool& field, const char*) {
-    find(group, name, field, message.bools);
-  }
-
-  template <class Field, class List>
-  static void find(const std::string& group, const std::string& name, Field& field, const List& list) {
-    const auto named = std::find_if(list.begin(), list.end(), [&name](const auto& entry) { return entry.name == name; });
-    if (isReconfigurable(group) && named != list.end()) field = named->value;
-  }
-};
+/// Calls visit(list, value) with the message's list for the field's type.
+template <class Message, class Visit>
+void visitList(Message& message, const ConfigField& field, Visit&& visit) {
+  if (auto* const* number = std::get_if<double*>(&field.value)) visit(message.doubles, **number);
+  if (auto* const* whole = std::get_if<int*>(&field.value)) visit(message.ints, **whole);
+  if (auto* const* flag = std::get_if<bool*>(&field.value)) visit(message.bools, **flag);
+}
 
 }  // namespace
 
-bool isReconfigurable(const std::string& group) { return group != "runtime"; }
+std::string parameterName(const ConfigField& field) { return field.group + "_" + field.name; }
+
+bool isReconfigurable(const ConfigField& field) { return field.group != "runtime"; }
 
 ReadParameters readParameters(const ros::NodeHandle& nh, const std::vector<std::string>& others) {
   ReadParameters result;
-  visitParameters(result.config, FieldReader(nh, result));
+  for (const ConfigField& field : configFields(result.config)) {
+    for (const std::string& name : {nestedName(field), parameterName(field)}) {
+      XmlRpcValue value;
+      if (nh.getParam(name, value) && !assign(value, field)) {
+        std::ostringstream problem;
+        problem << "parameter " << nh.resolveName(name) << " is " << value << ", must be " << expectation(field)
+                << ": it is not used";
+        result.problems.push_back(problem.str());
+      }
+    }
+  }
   for (std::string& unknown : findUnknown(nh, others)) result.problems.push_back(std::move(unknown));
   const std::vector<std::string> contradictions = objectness::validate(result.config);
   if (!contradictions.empty()) {
     result.problems.insert(result.problems.end(), contradictions.begin(), contradictions.end());
-    result.problems.push_back("the parameters contradict each other: using the default of every one");
+    result.problems.push_back("the parameters contradict each other: every one has its default");
     result.config = Config{};
   }
   return result;
 }
 
-void writeReconfigurable(const Config& config, const ros::NodeHandle& nh) {
-  visitParameters(config, [&nh](const std::string& group, const std::string& name, const auto& value, const auto&...) {
-    if (isReconfigurable(group)) nh.setParam(name, value);
-  });
+void writeReconfigurable(Config config, const ros::NodeHandle& nh) {
+  for (const ConfigField& field : configFields(config)) {
+    if (!isReconfigurable(field)) continue;
+    std::visit([&](const auto* value) { nh.setParam(parameterName(field), *value); }, field.value);
+  }
 }
 
-dynamic_reconfigure::Config toReconfigureMessage(const Config& config) {
+dynamic_reconfigure::Config toReconfigureMessage(Config config) {
   dynamic_reconfigure::Config message;
-  visitParameters(config, MessageWriter{message});
+  for (const ConfigField& field : configFields(config)) {
+    if (!isReconfigurable(field)) continue;
+    visitList(message, field, [&](auto& list, const auto& value) {
+      list.emplace_back();
+      list.back().name = parameterName(field);
+      list.back().value = value;
+    });
+  }
   return message;
 }
 
 Config fromReconfigureMessage(const dynamic_reconfigure::Config& message, Config config) {
-  visitParameters(config, MessageReader{message});
+  for (const ConfigField& field : configFields(config)) {
+    if (!isReconfigurable(field)) continue;
+    visitList(message, field, [name = parameterName(field)](const auto& list, auto& value) {
+      const auto named = std::find_if(list.begin(), list.end(), [&](const auto& entry) { return entry.name == name; });
+      if (named != list.end()) value = named->value;
+    });
+  }
   return config;
 }
 

@@ -10,13 +10,15 @@
 #include <set>
 #include <string>
 #include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace {
 
 using namespace objectness_segmentation;
 using objectness::Config;
-using objectness::Range;
+using objectness::ConfigField;
+using objectness::configFields;
 using Generated = ObjectnessSegmentationConfig;
 
 constexpr char kOutOfDate[] = "cfg/ObjectnessSegmentation.cfg is out of date: run scripts/update_cfg";
@@ -40,19 +42,13 @@ std::map<std::string, std::string> valuesOf(const Generated& config) {
   return valuesOf(message);
 }
 
-/// The C++ structs with every number replaced by its lower or upper bound.
-struct SetToBound {
-  bool upper;
-  template <class Number>
-  void operator()(const std::string&, const std::string&, Number& value, const Range& range, const char*) const {
-    value = static_cast<Number>(upper ? range.max : range.min);
-  }
-  void operator()(const std::string&, const std::string&, bool& value, const char*) const { value = upper; }
-};
-
+/// Every number at its lower or upper bound, every flag accordingly.
 Config bounds(bool upper) {
   Config config;
-  visitParameters(config, SetToBound{upper});
+  for (const ConfigField& field : configFields(config)) {
+    std::visit([&](auto* value) { *value = static_cast<std::decay_t<decltype(*value)>>(upper ? field.range.max : field.range.min); },
+               field.value);
+  }
   return config;
 }
 
@@ -65,26 +61,14 @@ TEST(DynamicReconfigure, RangesAreThoseOfTheStructs) {
   EXPECT_EQ(valuesOf(Generated::__getMax__()), valuesOf(toReconfigureMessage(bounds(true)))) << kOutOfDate;
 }
 
-/// "group/type name: description" of each reconfigurable field, in order.
-struct ListDescriptions {
-  std::vector<std::string>& list;
-  template <class Value>
-  void operator()(const std::string& group, const std::string& name, const Value&, const Range&,
-                  const char* description) const {
-    add(group, std::is_same<Value, int>::value ? "int" : "double", name, description);
-  }
-  void operator()(const std::string& group, const std::string& name, bool, const char* description) const {
-    add(group, "bool", name, description);
-  }
-  void add(const std::string& group, const char* type, const std::string& name, const char* description) const {
-    if (isReconfigurable(group)) list.push_back(group + "/" + type + " " + name + ": " + description);
-  }
-};
-
 TEST(DynamicReconfigure, GroupsAndDescriptionsAreThoseOfTheStructs) {
   std::vector<std::string> expected, generated;
-  const Config config;
-  visitParameters(config, ListDescriptions{expected});
+  Config config;
+  for (const ConfigField& field : configFields(config)) {
+    const char* type[] = {"double", "int", "bool"};  // as in the variant
+    if (!isReconfigurable(field)) continue;
+    expected.push_back(field.group + "/" + type[field.value.index()] + " " + parameterName(field) + ": " + field.description);
+  }
   for (const auto& group : Generated::__getGroupDescriptions__()) {
     if (group->id == 0) continue;  // the root: all parameters once more
     for (const auto& parameter : group->parameters) {
@@ -118,8 +102,8 @@ TEST(DynamicReconfigure, LeavesTheStartParametersAlone) {
 
 TEST(Parameters, HaveFlatNamesWithUnits) {
   std::vector<std::string> names;
-  const Config config;
-  visitParameters(config, [&names](const std::string&, const std::string& name, const auto&...) { names.push_back(name); });
+  Config config;
+  for (const ConfigField& field : configFields(config)) names.push_back(parameterName(field));
   EXPECT_EQ(std::count(names.begin(), names.end(), "objectness_weight_edges"), 1);
   EXPECT_EQ(std::count(names.begin(), names.end(), "volume_voxel_m"), 1);
   EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());

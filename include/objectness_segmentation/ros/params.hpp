@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "objectness_segmentation/config.hpp"
+#include "objectness_segmentation/config_fields.hpp"
 
 #include <dynamic_reconfigure/Config.h>
 #include <ros/node_handle.h>
@@ -11,21 +11,13 @@
 
 namespace objectness_segmentation {
 
-/// The core's configuration as ROS parameters. Everything is derived from the fields() lists: the parameter of field
-/// "group.field" is "group_field" (~objectness_weight_edges).
+/// The core's configuration as ROS parameters, all derived from its list of fields.
+
+/// "objectness_weight_edges" for field weight_edges of group objectness.
+std::string parameterName(const objectness::ConfigField& field);
 
 /// Fields of the group "runtime" are read once, at the start; all others can be changed between frames.
-bool isReconfigurable(const std::string& group);
-
-/// Calls visit(group, parameter name, field, Range, description) for each field in order; without the Range for bools.
-template <class AnyConfig, class Visit>
-void visitParameters(AnyConfig& config, Visit&& visit) {
-  objectness::Config::groups(config, [&visit](const std::string& group, auto& stage) {
-    std::decay_t<decltype(stage)>::fields(stage, [&](const char* field, auto& value, const auto&... range_and_description) {
-      visit(group, group + "_" + field, value, range_and_description...);
-    });
-  });
-}
+bool isReconfigurable(const objectness::ConfigField& field);
 
 /// What was read from the parameter server, and a sentence for each parameter that could not be used.
 struct ReadParameters {
@@ -35,14 +27,14 @@ struct ReadParameters {
 
 /// Reads the parameters below nh: "group/field" as a preset of the file tool gives them, over it "group_field". A value of
 /// the wrong type or out of range is a problem and leaves the default, a contradiction between values leaves all defaults;
-/// a name that is no parameter (but in `others`) is a problem too.
+/// a name that is no parameter (nor in `others`) is a problem too.
 ReadParameters readParameters(const ros::NodeHandle& nh, const std::vector<std::string>& others);
 
 /// Writes the reconfigurable fields below nh, where the dynamic_reconfigure server of the same nh finds them.
-void writeReconfigurable(const objectness::Config& config, const ros::NodeHandle& nh);
+void writeReconfigurable(objectness::Config config, const ros::NodeHandle& nh);
 
 /// The reconfigurable fields as dynamic_reconfigure sends them, and back (other fields keep their values).
-dynamic_reconfigure::Config toReconfigureMessage(const objectness::Config& config);
+dynamic_reconfigure::Config toReconfigureMessage(objectness::Config config);
 objectness::Config fromReconfigureMessage(const dynamic_reconfigure::Config& message, objectness::Config config);
 
 }  // namespace objectness_segmentation

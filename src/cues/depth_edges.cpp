@@ -41,7 +41,7 @@ class DepthEdgeFinder {
  private:
   bool valid(int pixel) const { return !std::isnan(frame_.points[pixel].z()); }
 
-  /// The normal at the rim of a gap: of the nearest pixel away from it that has one, as windows shrink to nothing there.
+  /// The normal at the rim of a gap: of the nearest pixel away from it that has one; windows shrink to nothing there.
   Eigen::Vector3f normalAtRim(int pixel, int away) const {
     const int width = frame_.width(), u = pixel % width, v = pixel / width;
     const int room = away == -1 ? u : away == 1 ? width - 1 - u : away < 0 ? v : frame_.height() - 1 - v;
@@ -56,7 +56,8 @@ class DepthEdgeFinder {
   bool onOneSurface(int a, int b, int steps, double tolerance) const {
     const int stride = (b - a) / steps;
     const Eigen::Vector3f gap = frame_.points[b] - frame_.points[a];
-    return std::abs(normalAtRim(a, -stride).dot(gap)) < tolerance && std::abs(normalAtRim(b, stride).dot(gap)) < tolerance;
+    return std::abs(normalAtRim(a, -stride).dot(gap)) < tolerance &&
+           std::abs(normalAtRim(b, stride).dot(gap)) < tolerance;
   }
 
   /// a and b: valid pixels `steps` apart in a row or a column, nothing valid between them.
@@ -66,7 +67,8 @@ class DepthEdgeFinder {
     const double near = std::min(z_a, z_b), difference = std::abs(z_a - z_b);
     if (steps > 1 && steps * near > config_.gap_m * focal_) return;
     if (difference > config_.step_m) {
-      const double step = std::max({config_.step_m, config_.step_sigmas * noise_.sigma(near), kGrazingSlope * near / focal_});
+      const double noise = config_.step_sigmas * noise_.sigma(near);
+      const double step = std::max({config_.step_m, noise, kGrazingSlope * near / focal_});
       if (difference > step && !(steps > 1 && onOneSurface(a, b, steps, step))) {
         kinds_(z_a < z_b ? a : b) |= kOccluding;
         kinds_(z_a < z_b ? b : a) |= kOccluded;

@@ -23,8 +23,8 @@ Scene boxBeforeBox() {
   return sceneOf({kTable, box({-0.15, 0.1, 0}, {0.15, 0.2, 0.25}), box({-0.05, -0.1, 0}, {0.05, -0.05, 0.2})});
 }
 
-/// The shadow of a projector: of the far box, ten pixels to the left of the near one are not measured. Returns the pixels
-/// on either side, near and far.
+/// The shadow of a projector: of the far box, ten pixels to the left of the near one are not measured. Returns the
+/// pixels on either side, near and far.
 std::vector<std::pair<int, int>> addShadow(CueView& view) {
   std::vector<std::pair<int, int>> sides;
   for (int i = 12; i < view.frame.size(); ++i) {
@@ -108,7 +108,9 @@ TEST_P(EitherDetector, BorderWhereNothingLiesBehind) {
   // The box rises over the far end of all that is measured.
   const CueView view(sceneOf({slab(-0.6, -0.4, 0.6, 0.06, 0), box({-0.1, -0.05, 0}, {0.1, 0.05, 0.3})}));
   const EdgeMap edges = edgesOf(view, detector(GetParam()));
-  const auto along = [&](EdgeKind kind) { return covered(view, edges, kind, {-0.095, 0.05, 0.3}, {0.095, 0.05, 0.3}, 1); };
+  const auto along = [&](EdgeKind kind) {
+    return covered(view, edges, kind, {-0.095, 0.05, 0.3}, {0.095, 0.05, 0.3}, 1);
+  };
   EXPECT_GT(along(kBorder), 0.95);
   EXPECT_EQ(along(kOccluding), 0);
   EXPECT_EQ(along(kOccluded), 0);
@@ -211,6 +213,7 @@ TEST(MetricEdges, ReadTheSameAtTwiceTheResolution) {
   const CueView coarse_view(coarse), fine_view(fine);
   const EdgeMap coarse_edges = edgesOf(coarse_view), fine_edges = edgesOf(fine_view);
   for (const EdgeKind kind : {kHighCurvature, kOccluding}) {
-    EXPECT_NEAR(double(count(fine_edges.kinds, kind)) / count(coarse_edges.kinds, kind), 2.0, 0.3) << "length in pixels";
+    const double longer = double(count(fine_edges.kinds, kind)) / count(coarse_edges.kinds, kind);
+    EXPECT_NEAR(longer, 2.0, 0.3) << "length in pixels";
   }
 }

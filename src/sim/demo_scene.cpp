@@ -40,7 +40,7 @@ std::vector<Body> demoBodies(std::uint32_t seed) {
       {Box{{0.10, 0.07, 0.05}}, -0.27, -0.08, 40, {70, 170, 80}},
       {Cylinder{0.034, 0.122}, 0.075, 0.0, 0, {50, 50, 200}},        // can
       {Cylinder{0.045, 0.20}, 0.30, 0.24, 0, {190, 190, 200}},       // jar
-      {Bowl{0.085, 0.065, 0.005, 0.075}, 0.25, -0.03, 0, {200, 180, 90}},
+      {Bowl{0.09, 0.05, 0.005, 0.08}, 0.25, -0.03, 0, {200, 180, 90}},
   };
   for (const Item& item : items) {
     const double x = item.x + jitter(kJitter_m), y = item.y + jitter(kJitter_m), yaw = item.yaw_deg + jitter(kJitter_deg);

@@ -120,7 +120,9 @@ TEST_F(PcdFile, GarbageNeitherThrowsNorIsAccepted) {
   std::string text = data(true);
   for (std::size_t i = 7; i < text.size(); i += 13) text[i] = '?';
   const Result<RawCloud> cloud = load(header("WIDTH 32\nHEIGHT 24", "768", "ascii") + text);
-  if (cloud.ok()) EXPECT_EQ(cloud.value.points.size(), 768u);
+  if (cloud.ok()) {
+    EXPECT_EQ(cloud.value.points.size(), 768u);
+  }
   std::string missing = header("WIDTH 32\nHEIGHT 24", "768", "binary") + data(false);
   missing.replace(missing.find("x y z"), 5, "a b c");
   expectError(missing, "has no floating-point fields x, y and z");

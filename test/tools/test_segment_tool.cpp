@@ -8,6 +8,8 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 using namespace objectness_test;
 
@@ -80,7 +82,7 @@ TEST_F(SegmentTool, BadInputsGetOneLineEachAndTheOthersAreDone) {
                               (folder_ / "broken.pcd") + " / " + good + " " + (folder_ / "out/../good"));
   EXPECT_EQ(outcome.exit_status, 1);
   EXPECT_EQ(outcome.errorLines(), 7) << outcome.err;
-  for (const std::string line : {cut + ": depth.png: is cut off", text + ": depth.png: is not a PNG", "empty: holds no depth.png",
+  for (const std::string& line : std::vector<std::string>{cut + ": depth.png: is cut off", text + ": depth.png: is not a PNG", "empty: holds no depth.png",
                                  "missing: there is no such file or folder", "broken.pcd: is cut off within its header",
                                  "/: has no name", "out/../good: its results would overwrite those of " + good}) {
     EXPECT_NE(outcome.err.find(line), std::string::npos) << line << "\n" << outcome.err;
@@ -114,7 +116,7 @@ TEST_F(SegmentTool, WrongCommandLines) {
 
 TEST_F(SegmentTool, OutputThatCannotBeWritten) {
   writeBytes(folder_ / "file", "x");
-  for (const std::string out : {folder_ / "file", folder_ / "file/below", std::string("/proc/nowhere")}) {
+  for (const std::string& out : {folder_ / "file", folder_ / "file/below", std::string("/proc/nowhere")}) {
     const Outcome outcome = run("--out " + out + " scene");
     EXPECT_EQ(outcome.exit_status, 1);
     EXPECT_EQ(outcome.errorLines(), 1) << outcome.err;

@@ -117,7 +117,8 @@ TEST(DemoScene, EveryObjectIsSegmented) {
     double best = 0;
     for (std::size_t k = 0; k < result.segments.size(); ++k) {
       const cv::Mat found = result.labels == static_cast<ushort>(k + 2), truth = scene.true_labels == label;
-      best = std::max(best, 2.0 * cv::countNonZero(found & truth) / (cv::countNonZero(found) + cv::countNonZero(truth)));
+      best =
+          std::max(best, 2.0 * cv::countNonZero(found & truth) / (cv::countNonZero(found) + cv::countNonZero(truth)));
     }
     EXPECT_GT(best, 0.85) << "Dice of object " << label;
   }

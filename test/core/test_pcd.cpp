@@ -113,7 +113,8 @@ TEST_F(PcdFile, BadFiles) {
 TEST_F(PcdFile, CompressedDataThatContradictTheHeader) {
   const std::uint32_t sizes[2] = {100, 4000000000u};
   const std::string lie(reinterpret_cast<const char*>(sizes), 8);
-  expectError(header("WIDTH 32\nHEIGHT 24", "768", "binary_compressed") + lie + std::string(100, 'x'), "contradicts itself");
+  expectError(header("WIDTH 32\nHEIGHT 24", "768", "binary_compressed") + lie + std::string(100, 'x'),
+              "contradicts itself");
 }
 
 TEST_F(PcdFile, GarbageNeitherThrowsNorIsAccepted) {

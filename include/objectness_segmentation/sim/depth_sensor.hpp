@@ -12,8 +12,8 @@ namespace objectness::sim {
 struct DepthSensor {
   PinholeCamera camera{525, 525, 319.5, 239.5, 640, 480};
   double baseline_m = 0.075;  ///< projector to the right of the camera: what it does not light has no depth
-  double disparity_step_px =
-      0.125;  ///< depth comes in steps of z^2 / (f * baseline) times this (Khoshelham & Elberink 2012)
+  /// Depth comes in steps of z^2 / (f * baseline) times this (Khoshelham & Elberink 2012).
+  double disparity_step_px = 0.125;
   double min_depth_m = 0.4, max_depth_m = 4.0;
   double max_incidence_deg = 82;  ///< surfaces seen at a flatter angle give no depth
 

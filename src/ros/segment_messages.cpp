@@ -30,7 +30,7 @@ SegmentedFrame failure(const std::string& what) {
 }  // namespace
 
 SegmentedFrame segmentMessages(const InputMessages& messages, const objectness::Config& config,
-                               const std::atomic<bool>* cancel) noexcept {
+                               const std::atomic<bool>* cancel) {
   try {
     SegmentedFrame result;
     auto frame = toFrame(messages, config.input);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segment_objects_nodelet.hpp"
 
-#include "diagnostics.hpp"
+#include "objectness_segmentation/ros/diagnostics.hpp"
 #include "objectness_segmentation/ros/output_conversions.hpp"
 #include "objectness_segmentation/ros/params.hpp"
 #include "objectness_segmentation/ros/topics.hpp"

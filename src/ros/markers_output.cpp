@@ -48,6 +48,8 @@ void addBoxEdges(const Eigen::Vector3d& size, std::vector<geometry_msgs::Point>&
   }
 }
 
+const objectness::Rgb kWhite{255, 255, 255};
+
 void addObject(const objectness::Segment& segment, int rank, const std_msgs::Header& header,
                std::vector<Marker>& markers) {
   Marker box = makeMarker(header, "boxes", rank, Marker::LINE_LIST);
@@ -60,7 +62,7 @@ void addObject(const objectness::Segment& segment, int rank, const std_msgs::Hea
   const Eigen::Vector3d above(0, 0, 0.5 * segment.box.size_m.z() + kTextHeight);
   label.pose.position = toPoint(segment.box.T_camera_box * above);
   label.scale.z = kTextHeight;
-  label.color = box.color;
+  label.color = toColor(kWhite);
   char text[48];
   std::snprintf(text, sizeof(text), "%d: %.2f", rank + 1, segment.objectness);
   label.text = text;
@@ -71,7 +73,7 @@ void addObject(const objectness::Segment& segment, int rank, const std_msgs::Hea
 
 void addTable(const objectness::Table& table, const std_msgs::Header& header, std::vector<Marker>& markers) {
   if (table.hull.empty()) return;
-  const std_msgs::ColorRGBA white = toColor({255, 255, 255});
+  const std_msgs::ColorRGBA white = toColor(kWhite);
   const geometry_msgs::Pose pose = toPose(table.T_table_camera.inverse());
 
   Marker outline = makeMarker(header, "table", 0, Marker::LINE_STRIP);

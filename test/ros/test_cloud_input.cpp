@@ -24,7 +24,9 @@ void expectSame(const objectness::RawCloud& cloud, const objectness::Frame& fram
     } else {
       EXPECT_EQ(cloud.points[i], frame.points[i]) << i;
     }
-    if (with_colors) EXPECT_EQ(cloud.colors[i], frame.color(i / frame.width(), i % frame.width())) << i;
+    if (with_colors) {
+      EXPECT_EQ(cloud.colors[i], frame.color(i / frame.width(), i % frame.width())) << i;
+    }
   }
 }
 

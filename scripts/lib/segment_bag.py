@@ -21,35 +21,12 @@ import rospy
 from objectness_segmentation.msg import SegmentedObjectArray
 from sensor_msgs.msg import CameraInfo, PointCloud2
 
+from bag_topics import BagError, choose_topics
 from print_objects import HEADER, row
 
 CONNECTION_TIMEOUT_S = 60
 FRAME_TIMEOUT_S = 300
 END_TIMEOUT_S = 10
-
-
-class BagError(Exception):
-    pass
-
-
-def choose_topics(bag, points, camera_info):
-    """Returns the topics of the clouds and of their camera, chosen where they are None."""
-    topics = bag.get_type_and_topic_info().topics
-    by_type = {kind: [name for name, info in topics.items() if info.msg_type == kind and info.message_count]
-               for kind in ('sensor_msgs/PointCloud2', 'sensor_msgs/CameraInfo')}
-    for kind, wanted in zip(by_type, (points, camera_info)):
-        if not by_type[kind] or wanted not in [None] + by_type[kind]:
-            raise BagError(f'no {kind} on {wanted or "any topic"}; the bag has: ' +
-                           (', '.join(f'{name} ({info.msg_type})' for name, info in topics.items()) or 'nothing'))
-    if points is None:
-        organized = [name for name in by_type['sensor_msgs/PointCloud2']
-                     if next(bag.read_messages(topics=[name])).message.height > 1]
-        if not organized:
-            raise BagError('its clouds are not organized (height 1); record the cloud of the camera driver as it is')
-        points = max(organized, key=lambda name: topics[name].message_count)
-    if camera_info is None:
-        camera_info = max(by_type['sensor_msgs/CameraInfo'], key=lambda name: len(os.path.commonprefix([name, points])))
-    return points, camera_info
 
 
 def frames(bag, points, camera_info):

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "crease.hpp"
 
+#include <opencv2/imgproc.hpp>
+
 #include <algorithm>
 #include <cmath>
 
 namespace objectness {
 namespace {
 
-constexpr int kMinWindow = 3;  // radius in pixels; normals of smaller windows are noise
+constexpr int kSmoothing = 5;  // pixels, less than the smallest window: takes the noise off the ridges, not the ridges
 
-/// Steps along direction i that are about `radius` pixels long.
+/// Steps along a direction that are about `radius` pixels long.
 int stepsOf(std::size_t direction, int radius) {
   const bool diagonal = direction >= 2;
-  return diagonal ? std::max(1, static_cast<int>(std::lround(radius * M_SQRT1_2))) : radius;
+  return diagonal ? (radius * 181 + 128) / 256 : radius;  // 181 / 256 = sqrt(1/2), rounded to whole steps
 }
 
 struct Sides {
@@ -24,7 +26,7 @@ struct Sides {
 Sides sidesOf(const Normals& normals, int width, int height, int u, int v, std::size_t direction) {
   const int full = normals.radius_px[v * width + u];
   for (const int radius : {full, (full + 1) / 2}) {
-    if (radius < kMinWindow) break;
+    if (radius < kMinWindowPx) break;
     const int steps = stepsOf(direction, radius);
     const int du = steps * kBendDirections[direction][0], dv = steps * kBendDirections[direction][1];
     if (u - du < 0 || u + du >= width || v - std::abs(dv) < 0 || v + std::abs(dv) >= height) continue;
@@ -73,7 +75,8 @@ BendMap findBends(const Frame& frame, const Normals& normals, const cv::Mat_<uch
 cv::Mat_<uchar> thinCreases(const BendMap& bends, const Normals& normals, double min_angle_deg) {
   const int width = bends.convex.cols, height = bends.convex.rows;
   const float min_bend = static_cast<float>(bendOf(min_angle_deg));
-  const cv::Mat_<float> strength = cv::max(bends.convex, bends.concave);
+  cv::Mat_<float> strength;
+  cv::blur(cv::max(bends.convex, bends.concave), strength, {kSmoothing, kSmoothing});
   cv::Mat_<uchar> creases = cv::Mat_<uchar>::zeros(height, width);
   for (int v = 0; v < height; ++v) {
     for (int u = 0; u < width; ++u) {
@@ -82,7 +85,7 @@ cv::Mat_<uchar> thinCreases(const BendMap& bends, const Normals& normals, double
       const int direction = bends.direction(v, u);
       const int steps = stepsOf(direction, normals.radius_px[v * width + u]);
       bool is_ridge = true;
-      for (int k = 1; k <= steps && is_ridge; ++k) {
+      for (int k = 1; k <= (steps + 1) / 2 && is_ridge; ++k) {
         const int du = k * kBendDirections[direction][0], dv = k * kBendDirections[direction][1];
         is_ridge = own > strengthAt(strength, u - du, v - dv) && own >= strengthAt(strength, u + du, v + dv);
       }

@@ -7,6 +7,9 @@
 
 namespace objectness {
 
+constexpr int kMinWindowPx = 3;         // normals of smaller windows are noise
+constexpr double kGrazingSlope = 8.0;  // depth change per z / f of a surface seen at about 83 deg
+
 /// The directions a bend is looked for in: right, down and the two diagonals, in pixels.
 constexpr std::array<std::array<int, 2>, 4> kBendDirections{{{{1, 0}}, {{0, 1}}, {{1, 1}}, {{1, -1}}}};
 

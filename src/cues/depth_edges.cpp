@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "crease.hpp"
 #include "edge_detectors.hpp"
 
 #include <algorithm>
@@ -8,7 +9,6 @@
 namespace objectness {
 namespace {
 
-constexpr double kGrazingSlope = 8.0;       // depth change per z / f of a surface seen at about 83 deg
 constexpr uchar kContinues = kBorder << 1;  // working bit: the same surface, or another one, lies across the gap
 constexpr int kNone = -1;
 
@@ -51,6 +51,7 @@ class DepthEdgeFinder {
   /// a and b: valid pixels `steps` apart in a row or a column, nothing valid between them.
   void compare(int a, int b, int steps) {
     const double z_a = frame_.points[a].z(), z_b = frame_.points[b].z();
+    if (steps == 1 && std::abs(z_a - z_b) <= config_.step_m) return;
     const double near = std::min(z_a, z_b), difference = std::abs(z_a - z_b);
     if (steps > 1 && steps * near > config_.gap_m * focal_) return;
     if (difference > config_.step_m) {

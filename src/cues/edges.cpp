@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace objectness {
 namespace {
@@ -39,11 +41,13 @@ int widestWindow(const Normals& normals, const ObjectPoints& object_points) {
 }
 
 cv::Mat_<uchar> findMetricEdges(const Frame& frame, const Normals& normals, const Table& table,
-                                const cv::Mat_<uchar>& around_objects, const EdgesConfig& config) {
+                                const ObjectPoints& object_points, const cv::Mat_<uchar>& around_objects,
+                                const EdgesConfig& config) {
   cv::Mat_<uchar> kinds = findDepthEdges(frame, normals, table.noise, config);
-  const cv::Mat_<uchar> creases =
-      thinCreases(findBends(frame, normals, around_objects), normals, config.crease_deg);
-  kinds.setTo(kHighCurvature, creases & (kinds == 0));
+  const BendMap bends = findBends(frame, normals, around_objects);
+  const cv::Mat_<uchar> creases = thinCreases(bends, normals, config.crease_deg);
+  // Outside the objects' mask only where one meets the table: a concave crease.
+  kinds.setTo(kHighCurvature, creases & (kinds == 0) & (object_points.mask | (bends.concave > bends.convex)));
   return kinds;
 }
 
@@ -76,15 +80,35 @@ cv::Mat_<uchar> cleaned(const cv::Mat_<uchar>& kinds, const Frame& frame, const 
   return kept;
 }
 
+/// Drops connected edges that span less than min_length_m: noise around holes and at the rim of what depth is measured.
+void dropSpecks(const Frame& frame, double min_length_m, cv::Mat_<uchar>& kinds) {
+  cv::Mat_<int> piece, stats;
+  cv::Mat centroids;
+  const int count = cv::connectedComponentsWithStats(kinds, piece, stats, centroids, 8, CV_32S);
+  std::vector<double> nearest(count, std::numeric_limits<double>::max());
+  for (int i = 0; i < frame.size(); ++i) {
+    if (piece(i)) nearest[piece(i)] = std::min<double>(nearest[piece(i)], frame.points[i].z());
+  }
+  for (int i = 0; i < frame.size(); ++i) {
+    const int p = piece(i);
+    if (p == 0) continue;
+    const int length_px = std::max(stats(p, cv::CC_STAT_WIDTH), stats(p, cv::CC_STAT_HEIGHT));
+    if (length_px * nearest[p] < min_length_m * frame.camera.focal()) kinds(i) = 0;
+  }
+}
+
 }  // namespace
 
 EdgeMap findEdges(const Frame& frame, const Normals& normals, const Table& table, const ObjectPoints& object_points,
                   const EdgesConfig& config) {
   const int window = widestWindow(normals, object_points);
   const cv::Mat_<uchar> near_objects = grown(object_points.mask, window);
-  const cv::Mat_<uchar> kinds = config.pcl ? findPclEdges(frame, normals)
-                                           : findMetricEdges(frame, normals, table, grown(near_objects, window), config);
-  return {cleaned(kinds, frame, table, object_points, near_objects)};
+  const cv::Mat_<uchar> found =
+      config.pcl ? findPclEdges(frame, normals)
+                 : findMetricEdges(frame, normals, table, object_points, grown(near_objects, window), config);
+  cv::Mat_<uchar> kinds = cleaned(found, frame, table, object_points, near_objects);
+  dropSpecks(frame, config.min_length_m, kinds);
+  return {kinds};
 }
 
 }  // namespace objectness

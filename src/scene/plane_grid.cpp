@@ -13,7 +13,8 @@ constexpr double kMaxReachM = 4.0;     // of a table from its middle; keeps the 
 constexpr double kBridgedGapM = 0.025;  // missing depth within the surface
 constexpr double kSpeckM = 0.015;       // points that only happen to be at table height
 constexpr double kMinPartM2 = 0.0025;   // of the surface seen between things; smaller ones are not part of it
-constexpr double kReachM = 0.16;        // how far the table goes on under things and their shadows
+constexpr double kBridgedThingM = 0.32;  // between parts of the surface, under a thing or its shadow
+constexpr double kReachM = 0.16;        // how far the table goes on under things beyond the last of it that is seen
 constexpr double kRimM = 0.05;          // things stand at the very edge, and table edges are rounded
 constexpr float kMinNormalCosine = 0.9063f;  // 25 deg
 constexpr float kBehindM = 0.015f;      // beyond the tolerance: further behind the plane than any dent of a table
@@ -138,22 +139,21 @@ cv::Mat_<uchar> extentOf(const PlaneGrid& grid) {
   cv::morphologyEx(solid, solid, cv::MORPH_OPEN, square(kSpeckM / 2, grid.cell_m));
   solid = withoutSmallParts(solid, kMinPartM2 / (grid.cell_m * grid.cell_m));
 
-  // The grid has an empty rim as wide as the closing reaches, so that its border does not stick to the table.
+  // Bridge what things cover. The grid has an empty rim as wide as the reach, so that its border sticks to nothing.
   cv::Mat_<uchar> core, rim, reachable;
-  cv::morphologyEx(solid, core, cv::MORPH_CLOSE, square(kReachM, grid.cell_m));
+  cv::morphologyEx(solid, core, cv::MORPH_CLOSE, square(kBridgedThingM / 2, grid.cell_m));
   core = solid | (core & grid.covered);
   cv::morphologyEx(core, core, cv::MORPH_CLOSE, square(kBridgedGapM / 2, grid.cell_m));
   core.setTo(0, grid.seen_through);
+  core = fillHoles(mainPart(core, solid));
+
   const int rim_cells = std::max(1, static_cast<int>(std::lround(kRimM / grid.cell_m)));
   cv::dilate(core, rim,
              cv::getStructuringElement(cv::MORPH_ELLIPSE, cv::Size(2 * rim_cells + 1, 2 * rim_cells + 1)));
   cv::dilate(core, reachable, square(kReachM, grid.cell_m));
-  cv::Mat_<uchar> all = core | rim | (reachable & grid.covered);
+  cv::Mat_<uchar> all = rim | (reachable & grid.covered);
   all.setTo(0, grid.seen_through);
-
-  const cv::Mat_<uchar> part = mainPart(all, solid);
-  core = fillHoles(core & part);
-  cv::Mat_<uchar> extent = fillHoles(part) & kMargin;
+  cv::Mat_<uchar> extent = fillHoles(mainPart(all | core, core)) & kMargin;
   extent.setTo(kCore, core);
   return extent;
 }

@@ -38,9 +38,9 @@ std::vector<Body> demoBodies(std::uint32_t seed) {
       {Box{{0.19, 0.065, 0.24}}, -0.22, 0.20, 25, {40, 110, 220}},   // cereals
       {Box{{0.16, 0.11, 0.07}}, -0.02, 0.13, -15, {190, 120, 50}},   // partly behind the can
       {Box{{0.10, 0.07, 0.05}}, -0.27, -0.08, 40, {70, 170, 80}},
-      {Cylinder{0.034, 0.122}, 0.01, -0.05, 0, {50, 50, 200}},       // can
-      {Cylinder{0.045, 0.20}, 0.33, 0.21, 0, {190, 190, 200}},       // jar
-      {Bowl{0.085, 0.065, 0.005, 0.075}, 0.21, -0.01, 0, {200, 180, 90}},
+      {Cylinder{0.034, 0.122}, 0.075, 0.0, 0, {50, 50, 200}},        // can
+      {Cylinder{0.045, 0.20}, 0.30, 0.24, 0, {190, 190, 200}},       // jar
+      {Bowl{0.085, 0.065, 0.005, 0.075}, 0.25, -0.03, 0, {200, 180, 90}},
   };
   for (const Item& item : items) {
     const double x = item.x + jitter(kJitter_m), y = item.y + jitter(kJitter_m), yaw = item.yaw_deg + jitter(kJitter_deg);
@@ -50,7 +50,7 @@ std::vector<Body> demoBodies(std::uint32_t seed) {
 }
 
 Eigen::Isometry3d demoCameraPose() {
-  const Vector3d eye(0.02, -0.78, 0.72), target(0, 0.08, 0.03);
+  const Vector3d eye(0.02, -0.64, 0.62), target(0, 0.08, 0.04);
   const Vector3d forward = (target - eye).normalized(), right = forward.cross(Vector3d::UnitZ()).normalized();
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.linear() << right, forward.cross(right), forward;

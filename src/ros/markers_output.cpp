@@ -10,9 +10,9 @@ namespace {
 
 using visualization_msgs::Marker;
 
-constexpr double kLineWidth = 0.003;    // metres, thin beside the smallest box of 3 cm
-constexpr double kTextHeight = 0.025;   // metres
-constexpr double kArrowLength = 0.1;    // metres
+constexpr double kLineWidth = 0.003;   // metres, thin beside the smallest box of 3 cm
+constexpr double kTextHeight = 0.025;  // metres
+constexpr double kArrowLength = 0.1;   // metres
 
 Marker makeMarker(const std_msgs::Header& header, const char* ns, int id, int type) {
   Marker marker;
@@ -100,7 +100,8 @@ void addTable(const objectness::Table& table, const std_msgs::Header& header, st
 
 }  // namespace
 
-visualization_msgs::MarkerArray toMarkers(const objectness::Segmentation& segmentation, const std_msgs::Header& header) {
+visualization_msgs::MarkerArray toMarkers(const objectness::Segmentation& segmentation,
+                                          const std_msgs::Header& header) {
   visualization_msgs::MarkerArray array;
   // In the same message as what follows, or the markers flicker.
   array.markers.push_back(makeMarker(header, "", 0, Marker::CUBE));

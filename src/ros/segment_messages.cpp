@@ -22,8 +22,8 @@ objectness::Result<objectness::Frame> toFrame(const InputMessages& messages, con
 
 SegmentedFrame failure(const std::string& what) {
   SegmentedFrame result;
-  result.segmentation.status = objectness::Status::error(
-      objectness::StatusCode::kInternalError, "the segmentation ended with an exception: " + what);
+  result.segmentation.status = objectness::Status::error(objectness::StatusCode::kInternalError,
+                                                         "the segmentation ended with an exception: " + what);
   return result;
 }
 

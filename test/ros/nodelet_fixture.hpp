@@ -119,7 +119,8 @@ class SegmentObjects : public ::testing::Test {
     return scene_.T_world_camera * Eigen::Vector3d(p.x, p.y, p.z);
   }
 
-  const std::array<TrueBox, 2> boxes_{{{{-0.21, -0.04, 0}, {-0.09, 0.06, 0.14}}, {{0.08, -0.02, 0}, {0.22, 0.08, 0.10}}}};
+  const std::array<TrueBox, 2> boxes_{
+      {{{-0.21, -0.04, 0}, {-0.09, 0.06, 0.14}}, {{0.08, -0.02, 0}, {0.22, 0.08, 0.10}}}};
   Scene scene_;
   objectness::Frame frame_;
   ros::NodeHandle nh_;

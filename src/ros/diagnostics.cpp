@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "diagnostics.hpp"
+#include "objectness_segmentation/ros/diagnostics.hpp"
 
 #include <diagnostic_msgs/DiagnosticStatus.h>
 

@@ -10,9 +10,9 @@ namespace {
 
 using visualization_msgs::Marker;
 
-constexpr double kLineWidth = 0.003;    // metres, thin beside the smallest box of 3 cm
-constexpr double kTextHeight = 0.025;   // metres
-constexpr double kArrowLength = 0.1;    // metres
+constexpr double kLineWidth = 0.003;   // metres, thin beside the smallest box of 3 cm
+constexpr double kTextHeight = 0.025;  // metres
+constexpr double kArrowLength = 0.1;   // metres
 
 Marker makeMarker(const std_msgs::Header& header, const char* ns, int id, int type) {
   Marker marker;
@@ -48,6 +48,8 @@ void addBoxEdges(const Eigen::Vector3d& size, std::vector<geometry_msgs::Point>&
   }
 }
 
+const objectness::Rgb kWhite{255, 255, 255};
+
 void addObject(const objectness::Segment& segment, int rank, const std_msgs::Header& header,
                std::vector<Marker>& markers) {
   Marker box = makeMarker(header, "boxes", rank, Marker::LINE_LIST);
@@ -60,7 +62,7 @@ void addObject(const objectness::Segment& segment, int rank, const std_msgs::Hea
   const Eigen::Vector3d above(0, 0, 0.5 * segment.box.size_m.z() + kTextHeight);
   label.pose.position = toPoint(segment.box.T_camera_box * above);
   label.scale.z = kTextHeight;
-  label.color = box.color;
+  label.color = toColor(kWhite);
   char text[48];
   std::snprintf(text, sizeof(text), "%d: %.2f", rank + 1, segment.objectness);
   label.text = text;
@@ -71,7 +73,7 @@ void addObject(const objectness::Segment& segment, int rank, const std_msgs::Hea
 
 void addTable(const objectness::Table& table, const std_msgs::Header& header, std::vector<Marker>& markers) {
   if (table.hull.empty()) return;
-  const std_msgs::ColorRGBA white = toColor({255, 255, 255});
+  const std_msgs::ColorRGBA white = toColor(kWhite);
   const geometry_msgs::Pose pose = toPose(table.T_table_camera.inverse());
 
   Marker outline = makeMarker(header, "table", 0, Marker::LINE_STRIP);
@@ -98,7 +100,8 @@ void addTable(const objectness::Table& table, const std_msgs::Header& header, st
 
 }  // namespace
 
-visualization_msgs::MarkerArray toMarkers(const objectness::Segmentation& segmentation, const std_msgs::Header& header) {
+visualization_msgs::MarkerArray toMarkers(const objectness::Segmentation& segmentation,
+                                          const std_msgs::Header& header) {
   visualization_msgs::MarkerArray array;
   // In the same message as what follows, or the markers flicker.
   array.markers.push_back(makeMarker(header, "", 0, Marker::CUBE));

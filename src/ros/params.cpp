@@ -18,8 +18,8 @@ using XmlRpc::XmlRpcValue;
 /// The name in the nested form of the presets.
 std::string nestedName(const ConfigField& field) { return field.group + "/" + field.name; }
 
-/// Exact types only, but a whole number may stand for a double: `max_depth_m: 6`. Takes a copy as XmlRpcValue's conversions
-/// are not const.
+/// Exact types only, but a whole number may stand for a double: `max_depth_m: 6`. Takes a copy as XmlRpcValue's
+/// conversions are not const.
 bool convert(XmlRpcValue from, double& to) {
   if (from.getType() == XmlRpcValue::TypeInt) {
     to = static_cast<int>(from);

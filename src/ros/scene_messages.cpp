@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene_messages.hpp"
+#include "objectness_segmentation/ros/scene_messages.hpp"
 
 #include "cloud_output.hpp"
 

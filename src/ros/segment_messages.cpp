@@ -22,15 +22,15 @@ objectness::Result<objectness::Frame> toFrame(const InputMessages& messages, con
 
 SegmentedFrame failure(const std::string& what) {
   SegmentedFrame result;
-  result.segmentation.status = objectness::Status::error(
-      objectness::StatusCode::kInternalError, "the segmentation ended with an exception: " + what);
+  result.segmentation.status = objectness::Status::error(objectness::StatusCode::kInternalError,
+                                                         "the segmentation ended with an exception: " + what);
   return result;
 }
 
 }  // namespace
 
 SegmentedFrame segmentMessages(const InputMessages& messages, const objectness::Config& config,
-                               const std::atomic<bool>* cancel) noexcept {
+                               const std::atomic<bool>* cancel) {
   try {
     SegmentedFrame result;
     auto frame = toFrame(messages, config.input);

@@ -6,7 +6,8 @@
 int main(int argc, char** argv) {
   ros::init(argc, argv, "segment_objects");
   nodelet::Loader loader;
-  if (!loader.load(ros::this_node::getName(), "objectness_segmentation/SegmentObjects", ros::names::getRemappings(), {})) {
+  if (!loader.load(ros::this_node::getName(), "objectness_segmentation/SegmentObjects", ros::names::getRemappings(),
+                   {})) {
     return 1;
   }
   ros::spin();

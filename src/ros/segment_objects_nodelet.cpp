@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segment_objects_nodelet.hpp"
 
-#include "diagnostics.hpp"
+#include "objectness_segmentation/ros/diagnostics.hpp"
 #include "objectness_segmentation/ros/output_conversions.hpp"
 #include "objectness_segmentation/ros/params.hpp"
 #include "objectness_segmentation/ros/topics.hpp"
@@ -48,12 +48,12 @@ void SegmentObjectsNodelet::initialize() {
   for (const std::string& problem : parameters.problems) NODELET_WARN("%s", problem.c_str());
   config_ = parameters.config;
 
+  const auto on_exception = [this](const std::string& what) {
+    statistics_.noteException(what);
+    NODELET_ERROR("exception while publishing: %s", what.c_str());
+  };
   worker_ = std::make_unique<LatestOnlyWorker<InputMessages>>(
-      [this](const InputMessages& messages) { process(messages); },
-      [this](const std::string& what) {
-        statistics_.noteException(what);
-        NODELET_ERROR("exception while publishing: %s", what.c_str());
-      });
+      [this](const InputMessages& messages) { process(messages); }, on_exception);
   inputs_ = std::make_unique<SynchronizedInputs>(
       getNodeHandle(), queue_size, approximate,
       [this](const auto& cloud, const auto& camera_info) { handOver(cloud, camera_info); });
@@ -74,14 +74,15 @@ void SegmentObjectsNodelet::startReconfigure() {
   writeReconfigurable(config_, getPrivateNodeHandle());
   reconfigure_server_ = std::make_unique<ReconfigureServer>(reconfigure_mutex_, getPrivateNodeHandle());
   reconfigure_server_->getConfigDefault(accepted_);
-  reconfigure_server_->setCallback([this](ObjectnessSegmentationConfig& requested, std::uint32_t) {
-    reconfigure(requested);
-  });
+  reconfigure_server_->setCallback(
+      [this](ObjectnessSegmentationConfig& requested, std::uint32_t) { reconfigure(requested); });
 }
 
 void SegmentObjectsNodelet::advertise() {
   std::lock_guard<std::mutex> lock(connect_mutex_);
-  const ros::SubscriberStatusCallback changed = [this](const ros::SingleSubscriberPublisher&) { updateSubscriptions(); };
+  const ros::SubscriberStatusCallback changed = [this](const ros::SingleSubscriberPublisher&) {
+    updateSubscriptions();
+  };
   ros::NodeHandle& nh = getPrivateNodeHandle();
   objects_ = nh.advertise<SegmentedObjectArray>(topics::kObjects, kPublisherQueueSize, changed, changed);
   segments_ = nh.advertise<sensor_msgs::PointCloud2>(topics::kSegments, kPublisherQueueSize, changed, changed);
@@ -103,8 +104,8 @@ void SegmentObjectsNodelet::updateSubscriptions() {
   try {
     std::lock_guard<std::mutex> lock(connect_mutex_);
     if (!inputs_) return;
-    const bool wanted = !lazy_ || objects_.getNumSubscribers() + segments_.getNumSubscribers() +
-                                          markers_.getNumSubscribers() > 0;
+    const bool wanted =
+        !lazy_ || objects_.getNumSubscribers() + segments_.getNumSubscribers() + markers_.getNumSubscribers() > 0;
     if (wanted && !inputs_->subscribed()) {
       statistics_.resetInputAge();
       inputs_->subscribe();
@@ -168,14 +169,15 @@ void SegmentObjectsNodelet::process(const InputMessages& messages) {
 
 void SegmentObjectsNodelet::publish(const SegmentedFrame& result, const std_msgs::Header& header, double seconds) {
   if (objects_.getNumSubscribers() > 0) {
-    auto message = boost::make_shared<SegmentedObjectArray>(toObjectsMessage(result.segmentation, result.frame, header));
+    auto message =
+        boost::make_shared<SegmentedObjectArray>(toObjectsMessage(result.segmentation, result.frame, header));
     message->processing_time = static_cast<float>(seconds);
     message->dropped_frames = worker_->dropped();
     objects_.publish(message);
   }
   if (segments_.getNumSubscribers() > 0) {
-    segments_.publish(boost::make_shared<sensor_msgs::PointCloud2>(
-        toSegmentsCloud(result.segmentation, result.frame, header)));
+    segments_.publish(
+        boost::make_shared<sensor_msgs::PointCloud2>(toSegmentsCloud(result.segmentation, result.frame, header)));
   }
   if (markers_.getNumSubscribers() > 0) {
     markers_.publish(boost::make_shared<visualization_msgs::MarkerArray>(toMarkers(result.segmentation, header)));

@@ -19,8 +19,8 @@
 
 namespace objectness_segmentation {
 
-/// Segments the newest cloud. ROS callbacks, all on the nodelet's single-threaded queue, only hand frames over; one worker
-/// thread converts, segments and publishes. Topics and parameters are described in the README.
+/// Segments the newest cloud. ROS callbacks, all on the nodelet's single-threaded queue, only hand frames over; one
+/// worker thread converts, segments and publishes. Topics and parameters are described in the README.
 class SegmentObjectsNodelet : public nodelet::Nodelet {
  public:
   ~SegmentObjectsNodelet() override;
@@ -47,8 +47,8 @@ class SegmentObjectsNodelet : public nodelet::Nodelet {
   bool lazy_ = true;
 
   std::mutex config_mutex_;
-  objectness::Config config_;               // guarded by config_mutex_
-  ObjectnessSegmentationConfig accepted_;   // the same values, for the reconfigure server; its callback only
+  objectness::Config config_;              // guarded by config_mutex_
+  ObjectnessSegmentationConfig accepted_;  // the same values, for the reconfigure server; its callback only
 
   FrameStatistics statistics_;
   objectness::StatusCode last_warning_ = objectness::StatusCode::kOk;  // worker only

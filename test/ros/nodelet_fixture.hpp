@@ -3,6 +3,7 @@
 
 #include "fixtures/ray_cast.hpp"
 #include "fixtures/ros_messages.hpp"
+#include "objectness_segmentation/ros/scene_messages.hpp"
 
 #include <gtest/gtest.h>
 #include <objectness_segmentation/SegmentedObjectArray.h>
@@ -105,7 +106,7 @@ class SegmentObjects : public ::testing::Test {
     cloud_publisher_.publish(cloud);
   }
   PointCloud2 goodCloud() const { return makeCloudMessage(frame_, {}, nextHeader()); }
-  sensor_msgs::CameraInfo goodCamera() const { return makeCameraInfo(scene_.camera); }
+  sensor_msgs::CameraInfo goodCamera() const { return objectness_segmentation::toCameraInfo(scene_.camera, {}); }
 
   SegmentedObjectArrayConstPtr segment(Listener<SegmentedObjectArray>& objects, const PointCloud2& cloud,
                                        const sensor_msgs::CameraInfo& camera_info) {
@@ -118,7 +119,8 @@ class SegmentObjects : public ::testing::Test {
     return scene_.T_world_camera * Eigen::Vector3d(p.x, p.y, p.z);
   }
 
-  const std::array<TrueBox, 2> boxes_{{{{-0.21, -0.04, 0}, {-0.09, 0.06, 0.14}}, {{0.08, -0.02, 0}, {0.22, 0.08, 0.10}}}};
+  const std::array<TrueBox, 2> boxes_{
+      {{{-0.21, -0.04, 0}, {-0.09, 0.06, 0.14}}, {{0.08, -0.02, 0}, {0.22, 0.08, 0.10}}}};
   Scene scene_;
   objectness::Frame frame_;
   ros::NodeHandle nh_;

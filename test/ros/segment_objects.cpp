@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Run by segment_objects.test beside the nodelet: plays the camera driver and looks at what comes back. Limits are in wall
-// time.
+// Run by segment_objects.test beside the nodelet: plays the camera driver and looks at what comes back. Limits are in
+// wall time.
 #include "nodelet_fixture.hpp"
 #include "objectness_segmentation/ros/params.hpp"
 
@@ -90,7 +90,8 @@ TEST_F(SegmentObjects, FindsTwoBoxes) {
   EXPECT_EQ(segment_cloud->header.frame_id, cloud.header.frame_id);
   EXPECT_EQ(segment_cloud->width * segment_cloud->height, points);
   std::set<std::uint32_t> labels;
-  for (sensor_msgs::PointCloud2ConstIterator<std::uint32_t> label(*segment_cloud, "label"); label != label.end(); ++label) {
+  for (sensor_msgs::PointCloud2ConstIterator<std::uint32_t> label(*segment_cloud, "label"); label != label.end();
+       ++label) {
     labels.insert(*label);
   }
   EXPECT_EQ(labels, (std::set<std::uint32_t>{2, 3}));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fixtures/ros_messages.hpp"
 #include "objectness_segmentation/ros/input_conversions.hpp"
+#include "objectness_segmentation/ros/scene_messages.hpp"
 
 #include <gtest/gtest.h>
 #include <image_geometry/pinhole_camera_model.h>
@@ -17,7 +18,7 @@ using objectness::StatusCode;
 const PinholeCamera kCamera{525.5, 524.5, 320.25, 238.75, 640, 480};
 
 TEST(CameraInput, TakesP) {
-  sensor_msgs::CameraInfo message = makeCameraInfo(kCamera);
+  sensor_msgs::CameraInfo message = toCameraInfo(kCamera, makeHeader());
   message.K = {1, 0, 2, 0, 3, 4, 0, 0, 1};  // of the raw image: not the cloud's
   const auto camera = toPinholeCamera(message);
   ASSERT_TRUE(camera.ok()) << camera.status.message;
@@ -30,7 +31,7 @@ TEST(CameraInput, TakesP) {
 }
 
 TEST(CameraInput, TakesKWhenThereIsNoP) {
-  sensor_msgs::CameraInfo message = makeCameraInfo(kCamera);
+  sensor_msgs::CameraInfo message = toCameraInfo(kCamera, makeHeader());
   message.P.fill(0);
   const auto camera = toPinholeCamera(message);
   ASSERT_TRUE(camera.ok()) << camera.status.message;
@@ -39,10 +40,7 @@ TEST(CameraInput, TakesKWhenThereIsNoP) {
 }
 
 TEST(CameraInput, AppliesRegionOfInterestAndBinningAsImageGeometry) {
-  sensor_msgs::CameraInfo message = makeCameraInfo(kCamera);
-  message.D.assign(5, 0);
-  message.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-  message.distortion_model = "plumb_bob";
+  sensor_msgs::CameraInfo message = toCameraInfo(kCamera, makeHeader());
   message.roi.x_offset = 100;
   message.roi.y_offset = 60;
   message.roi.width = 320;
@@ -70,7 +68,7 @@ void expectBad(const sensor_msgs::CameraInfo& message) {
 TEST(CameraInput, RefusesWhatIsNoCamera) {
   expectBad(sensor_msgs::CameraInfo());  // an uncalibrated driver sends zeros
 
-  sensor_msgs::CameraInfo message = makeCameraInfo(kCamera);
+  sensor_msgs::CameraInfo message = toCameraInfo(kCamera, makeHeader());
   message.P[0] = NAN;
   expectBad(message);
   message.P.fill(0);
@@ -79,19 +77,19 @@ TEST(CameraInput, RefusesWhatIsNoCamera) {
   message.K[4] = INFINITY;
   expectBad(message);
 
-  message = makeCameraInfo(kCamera);
+  message = toCameraInfo(kCamera, makeHeader());
   message.P[5] = 0;
   expectBad(message);
   message.P[5] = -500;
   expectBad(message);
 
-  message = makeCameraInfo(kCamera);
+  message = toCameraInfo(kCamera, makeHeader());
   message.width = 0;
   expectBad(message);
   message.width = 0xFFFFFFFF;
   expectBad(message);
 
-  message = makeCameraInfo(kCamera);
+  message = toCameraInfo(kCamera, makeHeader());
   message.binning_x = 1000000;
   expectBad(message);
 }

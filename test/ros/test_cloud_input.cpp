@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fixtures/ros_messages.hpp"
 #include "objectness_segmentation/ros/input_conversions.hpp"
+#include "objectness_segmentation/ros/scene_messages.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +24,9 @@ void expectSame(const objectness::RawCloud& cloud, const objectness::Frame& fram
     } else {
       EXPECT_EQ(cloud.points[i], frame.points[i]) << i;
     }
-    if (with_colors) EXPECT_EQ(cloud.colors[i], frame.color(i / frame.width(), i % frame.width())) << i;
+    if (with_colors) {
+      EXPECT_EQ(cloud.colors[i], frame.color(i / frame.width(), i % frame.width())) << i;
+    }
   }
 }
 
@@ -36,6 +39,18 @@ TEST(CloudInput, ReadsEveryLayout) {
     const auto cloud = toRawCloud(makeCloudMessage(frame, layout));
     ASSERT_TRUE(cloud.ok()) << cloud.status.message;
     expectSame(cloud.value, frame, true);
+  }
+}
+
+TEST(CloudInput, ReadsWhatSceneMessagesWrite) {
+  objectness::Frame frame = makeSmallFrame();
+  for (const bool with_color : {true, false}) {
+    if (!with_color) frame.color.release();
+    const sensor_msgs::PointCloud2 message = toCloudMessage(frame, makeHeader());
+    EXPECT_EQ(message.header, makeHeader());
+    const auto cloud = toRawCloud(message);
+    ASSERT_TRUE(cloud.ok()) << cloud.status.message;
+    expectSame(cloud.value, frame, with_color);
   }
 }
 

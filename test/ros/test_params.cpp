@@ -46,8 +46,11 @@ std::map<std::string, std::string> valuesOf(const Generated& config) {
 Config bounds(bool upper) {
   Config config;
   for (const ConfigField& field : configFields(config)) {
-    std::visit([&](auto* value) { *value = static_cast<std::decay_t<decltype(*value)>>(upper ? field.range.max : field.range.min); },
-               field.value);
+    std::visit(
+        [&](auto* value) {
+          *value = static_cast<std::decay_t<decltype(*value)>>(upper ? field.range.max : field.range.min);
+        },
+        field.value);
   }
   return config;
 }
@@ -67,7 +70,8 @@ TEST(DynamicReconfigure, GroupsAndDescriptionsAreThoseOfTheStructs) {
   for (const ConfigField& field : configFields(config)) {
     const char* type[] = {"double", "int", "bool"};  // as in the variant
     if (!isReconfigurable(field)) continue;
-    expected.push_back(field.group + "/" + type[field.value.index()] + " " + parameterName(field) + ": " + field.description);
+    expected.push_back(field.group + "/" + type[field.value.index()] + " " + parameterName(field) + ": " +
+                       field.description);
   }
   for (const auto& group : Generated::__getGroupDescriptions__()) {
     if (group->id == 0) continue;  // the root: all parameters once more

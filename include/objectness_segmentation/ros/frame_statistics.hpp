@@ -10,8 +10,8 @@
 
 namespace objectness_segmentation {
 
-/// What happened to the frames since the last snapshot, for the diagnostics. Thread safe; wall time only, so that it works
-/// under simulated time and looping bags. No ROS in it.
+/// What happened to the frames since the last snapshot, for the diagnostics. Thread safe; wall time only, so that it
+/// works under simulated time and looping bags. No ROS in it.
 class FrameStatistics {
  public:
   struct Snapshot {

@@ -13,8 +13,8 @@ namespace objectness_segmentation {
 /// kBadInput: no such x, y, z; big-endian; steps and data size that contradict each other; no points.
 objectness::Result<objectness::RawCloud> toRawCloud(const sensor_msgs::PointCloud2& message);
 
-/// The rectified camera of the images that carry this message: P, or K when P is not set; binning and region of interest
-/// applied, as in image_geometry. kBadCamera: not calibrated (zeros), not finite, or without a size.
+/// The rectified camera of the images that carry this message: P, or K when P is not set; binning and region of
+/// interest applied, as in image_geometry. kBadCamera: not calibrated (zeros), not finite, or without a size.
 objectness::Result<objectness::PinholeCamera> toPinholeCamera(const sensor_msgs::CameraInfo& message);
 
 }  // namespace objectness_segmentation

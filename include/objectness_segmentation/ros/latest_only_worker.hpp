@@ -14,9 +14,9 @@
 
 namespace objectness_segmentation {
 
-/// One thread that works on the newest job only: a job that arrives while another one waits replaces it and the replaced
-/// one is counted as dropped. So the age of what is worked on is bounded by the time of one job, whatever the input rate.
-/// No ROS in it. All methods are thread safe; none but stop() blocks for the time of a job.
+/// One thread that works on the newest job only: a job that arrives while another one waits replaces it and the
+/// replaced one is counted as dropped. So the age of what is worked on is bounded by the time of one job, whatever the
+/// input rate. No ROS in it. All methods are thread safe; none but stop() blocks for the time of a job.
 template <class Job>
 class LatestOnlyWorker {
  public:

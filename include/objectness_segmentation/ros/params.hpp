@@ -25,9 +25,9 @@ struct ReadParameters {
   std::vector<std::string> problems;
 };
 
-/// Reads the parameters below nh: "group/field" as a preset of the file tool gives them, over it "group_field". A value of
-/// the wrong type or out of range is a problem and leaves the default, a contradiction between values leaves all defaults;
-/// a name that is no parameter (nor in `others`) is a problem too.
+/// Reads the parameters below nh: "group/field" as a preset of the file tool gives them, over it "group_field". A value
+/// of the wrong type or out of range is a problem and leaves the default, a contradiction between values leaves all
+/// defaults; a name that is no parameter (nor in `others`) is a problem too.
 ReadParameters readParameters(const ros::NodeHandle& nh, const std::vector<std::string>& others);
 
 /// Writes the reconfigurable fields below nh, where the dynamic_reconfigure server of the same nh finds them.

@@ -22,9 +22,9 @@ struct SegmentedFrame {
   objectness::Segmentation segmentation;
 };
 
-/// From messages to a result: conversion, frame, core. Never throws: what does not work, down to an exception of the core
-/// (kInternalError) or of the system, is in segmentation.status.
+/// From messages to a result: conversion, frame, core. Does not throw: what goes wrong, down to an exception of the
+/// core (kInternalError) or of the system, is in segmentation.status.
 SegmentedFrame segmentMessages(const InputMessages& messages, const objectness::Config& config,
-                               const std::atomic<bool>* cancel) noexcept;
+                               const std::atomic<bool>* cancel);
 
 }  // namespace objectness_segmentation

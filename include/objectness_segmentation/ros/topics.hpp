@@ -3,8 +3,8 @@
 
 namespace objectness_segmentation {
 
-/// Names as they are before remapping. Inputs are relative to the public namespace, so that `ns:=/camera/depth_registered`
-/// is all a driver needs; outputs lie in the private one.
+/// Names as they are before remapping. Inputs are relative to the public namespace, so that
+/// `ns:=/camera/depth_registered` is all a driver needs; outputs lie in the private one.
 namespace topics {
 constexpr char kPoints[] = "points";
 constexpr char kCameraInfo[] = "camera_info";

@@ -27,7 +27,7 @@ struct EdgesConfig {
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
-    visit("pcl", self.pcl, "use pcl::OrganizedEdgeFromNormals, not the metric detector; only min_length_m still counts");
+    visit("pcl", self.pcl, "use pcl::OrganizedEdgeFromNormals, not the metric detector; only min_length_m counts");
     visit("step_m", self.step_m, Range{0.001, 1}, "depth edge: neighbours differ in depth by more than this");
     visit("step_sigmas", self.step_sigmas, Range{0, 100}, "and by more than this many sigma_z");
     visit("gap_m", self.gap_m, Range{0, 1}, "how far the other side of missing depth is searched; none: a border");

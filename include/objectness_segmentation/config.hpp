@@ -3,7 +3,7 @@
 
 #include "objectness_segmentation/cues/edges.hpp"
 #include "objectness_segmentation/cues/superpixels.hpp"
-#include "objectness_segmentation/integral/cue_volumes.hpp"
+#include "objectness_segmentation/integral/volume_config.hpp"
 #include "objectness_segmentation/objectness/objectness.hpp"
 #include "objectness_segmentation/scene/frame.hpp"
 #include "objectness_segmentation/scene/normals.hpp"

@@ -23,9 +23,19 @@ struct Box {
   friend bool operator==(const Box& a, const Box& b) { return a.key() == b.key(); }
 };
 
+/// The cues of one box, paper Eq. 1, 2, 4 and 5.
+struct CueValues {
+  float edge_density = 0;  ///< delta_i, Eq. 1, clipped at max_edge_density
+  float outer_edges = 0;   ///< delta_o, Eq. 2
+  float straddling = 0;    ///< delta_l, Eq. 4
+  float free_space = 0;    ///< delta_f, Eq. 5
+  int free_voxels = 0;     ///< numerator of Eq. 5
+};
+
 struct ScoredBox {
   Box box;
-  float objectness = 0;
+  CueValues cues;
+  float objectness = 0;  ///< delta, Eq. 6
 };
 
 /// Best objectness first, ties in the order of enumeration: the order of every list of boxes.

@@ -2,6 +2,10 @@
 #pragma once
 
 #include "objectness_segmentation/common/range.hpp"
+#include "objectness_segmentation/integral/grid.hpp"
+
+#include <cstdint>
+#include <vector>
 
 namespace objectness {
 
@@ -13,6 +17,7 @@ struct SearchConfig {
   double min_size_m = 0.03;
   double max_size_m = 0.45;
   double angle_step_deg = 5.0;
+  int max_boxes_per_angle = 200000;
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
@@ -22,7 +27,23 @@ struct SearchConfig {
     visit("min_size_m", self.min_size_m, Range{0.002, 1.0}, "least extent of a box along each axis");
     visit("max_size_m", self.max_size_m, Range{0.01, 2.0}, "largest extent of a box along each axis");
     visit("angle_step_deg", self.angle_step_deg, Range{1.0, 90.0}, "step of the rotation about the normal, in [0, 90)");
+    visit("max_boxes_per_angle", self.max_boxes_per_angle, Range{1, 10000000},
+          "of the boxes of an angle that reach the threshold at most this many, the best, are kept");
   }
 };
+
+/// SearchConfig in voxels.
+struct Sampling {
+  int corner_step = 2;
+  int size_step_xy = 2, size_step_z = 1;
+  int min_size = 3, max_size = 45;
+};
+Sampling samplingOf(const SearchConfig& config, double voxel_m);
+
+/// The angles r_z, radians: multiples of the step in [0, 90) degrees.
+std::vector<double> sampledAngles(const SearchConfig& config);
+
+/// How many boxes of the sampling fit into the grid of one angle.
+std::int64_t countBoxes(const Grid& grid, const Sampling& sampling);
 
 }  // namespace objectness

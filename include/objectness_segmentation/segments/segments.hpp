@@ -2,12 +2,18 @@
 #pragma once
 
 #include "objectness_segmentation/common/range.hpp"
+#include "objectness_segmentation/integral/cue_points.hpp"
+#include "objectness_segmentation/objectness/objectness.hpp"
+
+#include <vector>
 
 namespace objectness {
 
 struct SegmentsConfig {
   bool follow_superpixels = true;
+  double min_superpixel_share = 0.5;
   double max_reach_m = 0.04;
+  double max_step_m = 0.015;
   int min_pixels = 100;
 
   template <class Self, class Visit>
@@ -15,9 +21,37 @@ struct SegmentsConfig {
     visit("follow_superpixels", self.follow_superpixels,
           "whole superpixels follow the box that holds most of them, other points their nearest segment; "
           "off: the pixels of the paper's plain boxes");
+    visit("min_superpixel_share", self.min_superpixel_share, Range{0, 1},
+          "a superpixel follows a box that holds at least this share of it");
     visit("max_reach_m", self.max_reach_m, Range{0, 0.5}, "how far along the surface a point follows its nearest segment");
+    visit("max_step_m", self.max_step_m, Range{0.001, 0.1}, "neighbouring pixels farther apart are not on one surface");
     visit("min_pixels", self.min_pixels, Range{1, 100000}, "smaller segments are dropped");
   }
 };
+
+/// One object: the selected box and the pixels that are its own.
+struct Segment {
+  OrientedBox box;
+  double objectness = 0;  ///< delta, Eq. 6
+  CueValues cues;
+  std::vector<int> pixels;  ///< indices v * width + u, ascending; in no other segment
+};
+
+/// A selected box with the grid it is measured in.
+struct SelectedBox {
+  ScoredBox scored;
+  Grid grid;
+};
+
+/// The box in the camera's optical frame, metres.
+OrientedBox orientedBox(const Box& box, const Grid& grid, const Eigen::Isometry3d& T_table_camera);
+
+/// Gives every object point to at most one box (paper Sec. 4: a segment is what falls within a box; a point in several goes to
+/// the one of highest objectness). boxes: best first; margin_m: as in FilterConfig::box_margin_m. Best segment first.
+std::vector<Segment> cutSegments(const Frame& frame, const Eigen::Isometry3d& T_table_camera, const CuePoints& points,
+                                 const std::vector<SelectedBox>& boxes, double margin_m, const SegmentsConfig& config);
+
+/// The label image of Segmentation::labels: 0 nothing, 1 table, 2 + i: segments[i].
+cv::Mat_<ushort> labelImage(const cv::Mat_<uchar>& on_table, const std::vector<Segment>& segments);
 
 }  // namespace objectness

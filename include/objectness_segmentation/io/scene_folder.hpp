@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "objectness_segmentation/scene/frame.hpp"
+
+#include <string>
+
+namespace objectness {
+
+/// Reads a scene folder: depth.png (16-bit millimetres, 0 = none), color.png (optional, same size) and camera.yaml (see
+/// loadCamera()). `fallback` is used when there is no camera.yaml. Messages name the file of the folder they are about.
+Result<Frame> loadSceneFolder(const std::string& folder, const std::optional<PinholeCamera>& fallback,
+                              const InputConfig& config);
+
+/// The files of a scene folder; what is empty is left out.
+struct SceneImages {
+  PinholeCamera camera;
+  cv::Mat_<ushort> depth_mm;  ///< H x W, 0 = none
+  cv::Mat_<cv::Vec3b> color;  ///< H x W, BGR
+  /// H x W: 0 void, 1 table, 10 * (k + 1) and the nine above it: the parts of object k = 1, 2, ...
+  cv::Mat_<ushort> true_labels;
+};
+
+/// Writes depth.png, color.png, camera.yaml and labels.png into `folder`, which is made.
+Status saveSceneFolder(const std::string& folder, const SceneImages& scene);
+
+}  // namespace objectness

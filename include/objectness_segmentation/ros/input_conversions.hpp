@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "objectness_segmentation/scene/frame.hpp"
+
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/PointCloud2.h>
+
+namespace objectness_segmentation {
+
+/// The points of a cloud message: FLOAT32 x, y, z wherever its layout has them, and the colours of a packed rgb or rgba
+/// field (FLOAT32 or UINT32) when there is one. Any field order, padding, point_step and row_step.
+/// kBadInput: no such x, y, z; big-endian; steps and data size that contradict each other; no points.
+objectness::Result<objectness::RawCloud> toRawCloud(const sensor_msgs::PointCloud2& message);
+
+/// The rectified camera of the images that carry this message: P, or K when P is not set; binning and region of
+/// interest applied, as in image_geometry. kBadCamera: not calibrated (zeros), not finite, or without a size.
+objectness::Result<objectness::PinholeCamera> toPinholeCamera(const sensor_msgs::CameraInfo& message);
+
+}  // namespace objectness_segmentation

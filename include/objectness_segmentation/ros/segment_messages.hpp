@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "objectness_segmentation/config.hpp"
+#include "objectness_segmentation/result.hpp"
+
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/PointCloud2.h>
+
+#include <atomic>
+
+namespace objectness_segmentation {
+
+/// What came in together.
+struct InputMessages {
+  sensor_msgs::PointCloud2ConstPtr cloud;
+  sensor_msgs::CameraInfoConstPtr camera_info;
+};
+
+struct SegmentedFrame {
+  objectness::Frame frame;  ///< empty when the messages are no frame
+  objectness::Segmentation segmentation;
+};
+
+/// From messages to a result: conversion, frame, core. Does not throw: what goes wrong, down to an exception of the
+/// core (kInternalError) or of the system, is in segmentation.status.
+SegmentedFrame segmentMessages(const InputMessages& messages, const objectness::Config& config,
+                               const std::atomic<bool>* cancel);
+
+}  // namespace objectness_segmentation

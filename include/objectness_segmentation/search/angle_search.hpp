@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "objectness_segmentation/integral/cue_points.hpp"
+#include "objectness_segmentation/integral/volume_config.hpp"
+#include "objectness_segmentation/objectness/objectness.hpp"
+#include "objectness_segmentation/search/box_sampler.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+namespace objectness {
+
+/// The boxes of all angles that reached the threshold.
+struct SearchOutcome {
+  Status status;                 ///< kVolumeTooLarge, kCancelled
+  std::vector<Grid> grids;       ///< one per angle
+  std::vector<ScoredBox> boxes;  ///< best first (better())
+  std::int64_t sampled = 0;      ///< boxes of the sampling (Sec. 2.2)
+  std::int64_t scored = 0;       ///< of them scored in full; the others provably do not reach the threshold
+  std::int64_t passed = 0;       ///< of them at or above the threshold
+};
+
+/// The configuration of the search, gathered from the stages it belongs to.
+struct SearchSettings {
+  VolumeConfig volume;
+  SearchConfig search;
+  ObjectnessConfig objectness;
+  double threshold = 0.9;
+  int threads = 2;
+};
+
+/// Builds the integral volumes of every angle (Sec. 2.1) and scores every box in them. The result does not depend on the
+/// number of threads. `cancel` may be null.
+SearchOutcome searchAllAngles(const Frame& frame, const Table& table, const CuePoints& points,
+                              const SearchSettings& settings, const std::atomic<bool>* cancel);
+
+}  // namespace objectness

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "objectness_segmentation/integral/cue_volumes.hpp"
+#include "objectness_segmentation/objectness/objectness.hpp"
+#include "objectness_segmentation/search/box_sampler.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace objectness {
+
+/// What a search needs to know besides the volumes.
+struct SearchTask {
+  Sampling sampling;
+  Ring ring;
+  ObjectnessConfig objectness;
+  double threshold = 0.9;  ///< boxes of at least this objectness are kept
+};
+
+/// The boxes of one angle whose objectness is at least the threshold, in the order of enumeration (Box::key()).
+struct SearchResult {
+  std::vector<ScoredBox> boxes;
+  std::int64_t sampled = 0;  ///< boxes of the sampling
+  std::int64_t scored = 0;   ///< of them scored in full; the rest could not reach the threshold
+};
+
+/// Scores every box by scoreBox(): a plain nested loop over the sampling of paper Sec. 2.2. The definition of the result.
+SearchResult searchPlain(const CueVolumes& volumes, int angle, const SearchTask& task);
+
+/// The same result, to the last bit: bounds all heights of a footprint at once without the superpixel cue (which is at most
+/// 1), and scores only the boxes whose bound reaches the threshold.
+SearchResult searchScan(const CueVolumes& volumes, int angle, const SearchTask& task);
+
+}  // namespace objectness

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "objectness_segmentation/cues/edges.hpp"
+
+#include "crease.hpp"
+#include "edge_detectors.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace objectness {
+namespace {
+
+/// Height over the table that noise does not reach, as for object points. Noise is along the ray: on a plane seen at a
+/// grazing angle it moves points little in height.
+double tableClearance(const Frame& frame, const Table& table, int u, int v) {
+  const ObjectPointsConfig defaults;
+  const Eigen::Vector3d point = frame.points[v * frame.width() + u].cast<double>();
+  const double foreshortening = std::abs(table.normal.dot(point)) / point.z();
+  return std::clamp(defaults.noise_sigmas * table.noise.sigma(point.z()) * foreshortening, defaults.min_threshold_m,
+                    defaults.max_threshold_m);
+}
+
+cv::Mat_<uchar> grown(const cv::Mat_<uchar>& mask, int radius) {
+  cv::Mat_<uchar> result;
+  cv::dilate(mask, result, cv::getStructuringElement(cv::MORPH_RECT, {2 * radius + 1, 2 * radius + 1}));
+  return result;
+}
+
+/// The widest normal window on an object: how far from the objects' points a crease between object and table can lie.
+int widestWindow(const Normals& normals, const ObjectPoints& object_points) {
+  int radius = 1;
+  for (int i = 0; i < static_cast<int>(normals.radius_px.size()); ++i) {
+    if (object_points.mask(i)) radius = std::max<int>(radius, normals.radius_px[i]);
+  }
+  return radius;
+}
+
+cv::Mat_<uchar> findMetricEdges(const Frame& frame, const Normals& normals, const Table& table,
+                                const ObjectPoints& object_points, const cv::Mat_<uchar>& around_objects,
+                                const EdgesConfig& config) {
+  cv::Mat_<uchar> kinds = findDepthEdges(frame, normals, table.noise, config);
+  const BendMap bends = findBends(frame, normals, around_objects);
+  const cv::Mat_<uchar> creases = thinCreases(bends, normals, config.crease_deg);
+  // Outside the objects' mask only where one meets the table: a concave crease.
+  kinds.setTo(kHighCurvature, creases & (kinds == 0) & (object_points.mask | (bends.concave > bends.convex)));
+  return kinds;
+}
+
+bool besideOccluded(const cv::Mat_<uchar>& kinds, int u, int v) {
+  for (int y = std::max(0, v - 1); y <= std::min(kinds.rows - 1, v + 1); ++y) {
+    for (int x = std::max(0, u - 1); x <= std::min(kinds.cols - 1, u + 1); ++x) {
+      if (kinds(y, x) & kOccluded) return true;
+    }
+  }
+  return false;
+}
+
+/// Keeps the edges of objects: shadows' outlines on the table, its rim, and creases that are the foot of a jump go.
+cv::Mat_<uchar> cleaned(const cv::Mat_<uchar>& kinds, const Frame& frame, const Table& table,
+                        const ObjectPoints& object_points, const cv::Mat_<uchar>& near_objects) {
+  cv::Mat_<uchar> kept = cv::Mat_<uchar>::zeros(kinds.size());
+  for (int v = 0; v < kinds.rows; ++v) {
+    for (int u = 0; u < kinds.cols; ++u) {
+      const uchar found = kinds(v, u);
+      if (found == 0 || !near_objects(v, u)) continue;
+      const double clearance = tableClearance(frame, table, u, v);
+      const double height = object_points.height_m(v, u);
+      if (height < -clearance || ((found & kOccluded) && height < 2 * clearance)) continue;
+      uchar kind = found;
+      if (!object_points.mask(v, u)) kind &= kHighCurvature;  // where an object meets the table lies outside its mask
+      if ((kind & kHighCurvature) && besideOccluded(kinds, u, v)) kind &= ~kHighCurvature;
+      kept(v, u) = kind;
+    }
+  }
+  return kept;
+}
+
+/// Drops connected edges that span less than min_length_m: noise around holes and at the rim of what depth is measured.
+void dropSpecks(const Frame& frame, double min_length_m, cv::Mat_<uchar>& kinds) {
+  cv::Mat_<int> piece, stats;
+  cv::Mat centroids;
+  const int count = cv::connectedComponentsWithStats(kinds, piece, stats, centroids, 8, CV_32S);
+  std::vector<double> nearest(count, std::numeric_limits<double>::max());
+  for (int i = 0; i < frame.size(); ++i) {
+    if (piece(i)) nearest[piece(i)] = std::min<double>(nearest[piece(i)], frame.points[i].z());
+  }
+  for (int i = 0; i < frame.size(); ++i) {
+    const int p = piece(i);
+    if (p == 0) continue;
+    const int length_px = std::max(stats(p, cv::CC_STAT_WIDTH), stats(p, cv::CC_STAT_HEIGHT));
+    if (length_px * nearest[p] < min_length_m * frame.camera.focal()) kinds(i) = 0;
+  }
+}
+
+}  // namespace
+
+EdgeMap findEdges(const Frame& frame, const Normals& normals, const Table& table, const ObjectPoints& object_points,
+                  const EdgesConfig& config) {
+  const int window = widestWindow(normals, object_points);
+  const cv::Mat_<uchar> near_objects = grown(object_points.mask, window);
+  const cv::Mat_<uchar> found =
+      config.pcl ? findPclEdges(frame, normals)
+                 : findMetricEdges(frame, normals, table, object_points, grown(near_objects, window), config);
+  cv::Mat_<uchar> kinds = cleaned(found, frame, table, object_points, near_objects);
+  dropSpecks(frame, config.min_length_m, kinds);
+  return {kinds};
+}
+
+}  // namespace objectness

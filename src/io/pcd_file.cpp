@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "objectness_segmentation/io/pcd_file.hpp"
+
+#include "pcd_header.hpp"
+
+#include <pcl/PCLPointCloud2.h>
+#include <pcl/console/print.h>
+#include <pcl/io/pcd_io.h>
+
+#include <array>
+#include <cstring>
+
+namespace objectness {
+namespace {
+
+/// PCL reports on the console; the caller gets a Status instead.
+class QuietPcl {
+ public:
+  QuietPcl() { pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); }
+  ~QuietPcl() { pcl::console::setVerbosityLevel(before_); }
+  QuietPcl(const QuietPcl&) = delete;
+  QuietPcl& operator=(const QuietPcl&) = delete;
+
+ private:
+  pcl::console::VERBOSITY_LEVEL before_ = pcl::console::getVerbosityLevel();
+};
+
+const pcl::PCLPointField* findField(const pcl::PCLPointCloud2& cloud, const std::string& name) {
+  for (const auto& field : cloud.fields) {
+    if (field.name == name) return &field;
+  }
+  return nullptr;
+}
+
+template <class T>
+T valueAt(const pcl::PCLPointCloud2& cloud, std::size_t point, std::size_t offset) {
+  T value;
+  std::memcpy(&value, cloud.data.data() + point * cloud.point_step + offset, sizeof value);
+  return value;
+}
+
+float coordinate(const pcl::PCLPointCloud2& cloud, std::size_t point, const pcl::PCLPointField& field) {
+  return field.datatype == pcl::PCLPointField::FLOAT64 ? static_cast<float>(valueAt<double>(cloud, point, field.offset))
+                                                       : valueAt<float>(cloud, point, field.offset);
+}
+
+Result<RawCloud> toRawCloud(const pcl::PCLPointCloud2& cloud) {
+  const pcl::PCLPointField* axes[3] = {findField(cloud, "x"), findField(cloud, "y"), findField(cloud, "z")};
+  for (const pcl::PCLPointField* axis : axes) {
+    if (axis && (axis->datatype == pcl::PCLPointField::FLOAT32 || axis->datatype == pcl::PCLPointField::FLOAT64))
+      continue;
+    return Result<RawCloud>::error(StatusCode::kBadInput, "has no floating-point fields x, y and z");
+  }
+  const pcl::PCLPointField* color = findField(cloud, "rgb") ? findField(cloud, "rgb") : findField(cloud, "rgba");
+  if (color && color->offset + 4 > cloud.point_step) color = nullptr;  // no packed colour
+  Result<RawCloud> raw;
+  raw.value.width = static_cast<int>(cloud.width);
+  raw.value.height = static_cast<int>(cloud.height);
+  const std::size_t count = std::size_t{cloud.width} * cloud.height;
+  if (cloud.data.size() < count * cloud.point_step) return Result<RawCloud>::error(StatusCode::kBadInput, "is cut off");
+  raw.value.points.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    raw.value.points.emplace_back(coordinate(cloud, i, *axes[0]), coordinate(cloud, i, *axes[1]),
+                                  coordinate(cloud, i, *axes[2]));
+    // PCL packs a colour into four bytes: blue, green, red, alpha.
+    if (color) {
+      const auto bgra = valueAt<std::array<unsigned char, 4>>(cloud, i, color->offset);
+      raw.value.colors.emplace_back(bgra[0], bgra[1], bgra[2]);
+    }
+  }
+  return raw;
+}
+
+}  // namespace
+
+Result<RawCloud> loadPcd(const std::string& path) {
+  const Status header = checkPcdHeader(path);
+  if (!header.ok()) return Result<RawCloud>::error(header);
+  const QuietPcl quiet;
+  try {
+    pcl::PCLPointCloud2 cloud;
+    Eigen::Vector4f origin;
+    Eigen::Quaternionf orientation;
+    int version = 0;
+    if (pcl::PCDReader().read(path, cloud, origin, orientation, version) >= 0) return toRawCloud(cloud);
+  } catch (const std::exception&) {
+    // The reason is in PCL's terms, of no help to a user.
+  }
+  return Result<RawCloud>::error(StatusCode::kBadInput, "is a damaged PCD file: its data do not fit its header");
+}
+
+}  // namespace objectness

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <geometry_msgs/Point.h>
+#include <geometry_msgs/Pose.h>
+
+namespace objectness_segmentation {
+
+inline geometry_msgs::Point toPoint(const Eigen::Vector3d& p) {
+  geometry_msgs::Point point;
+  point.x = p.x();
+  point.y = p.y();
+  point.z = p.z();
+  return point;
+}
+
+/// The quaternion is a unit one to rounding, as rviz and tf demand.
+inline geometry_msgs::Pose toPose(const Eigen::Isometry3d& transform) {
+  geometry_msgs::Pose pose;
+  pose.position = toPoint(transform.translation());
+  const Eigen::Quaterniond q = Eigen::Quaterniond(transform.linear()).normalized();
+  pose.orientation.x = q.x();
+  pose.orientation.y = q.y();
+  pose.orientation.z = q.z();
+  pose.orientation.w = q.w();
+  return pose;
+}
+
+}  // namespace objectness_segmentation

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "geometry_output.hpp"
+#include "objectness_segmentation/common/color_palette.hpp"
+#include "objectness_segmentation/ros/output_conversions.hpp"
+
+#include <cstdio>
+
+namespace objectness_segmentation {
+namespace {
+
+using visualization_msgs::Marker;
+
+constexpr double kLineWidth = 0.003;   // metres, thin beside the smallest box of 3 cm
+constexpr double kTextHeight = 0.025;  // metres
+constexpr double kArrowLength = 0.1;   // metres
+
+Marker makeMarker(const std_msgs::Header& header, const char* ns, int id, int type) {
+  Marker marker;
+  marker.header = header;
+  marker.ns = ns;
+  marker.id = id;
+  marker.type = type;
+  marker.action = Marker::ADD;
+  marker.pose.orientation.w = 1;
+  return marker;
+}
+
+std_msgs::ColorRGBA toColor(const objectness::Rgb& rgb) {
+  std_msgs::ColorRGBA color;
+  color.r = rgb.r / 255.0F;
+  color.g = rgb.g / 255.0F;
+  color.b = rgb.b / 255.0F;
+  color.a = 1;
+  return color;
+}
+
+/// The twelve edges of the box, as pairs of points in its own frame.
+void addBoxEdges(const Eigen::Vector3d& size, std::vector<geometry_msgs::Point>& points) {
+  const auto corner = [&size](int i) {
+    return toPoint(Eigen::Vector3d((i & 1) - 0.5, ((i >> 1) & 1) - 0.5, ((i >> 2) & 1) - 0.5).cwiseProduct(size));
+  };
+  for (int from = 0; from < 8; ++from) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (from & (1 << axis)) continue;
+      points.push_back(corner(from));
+      points.push_back(corner(from | (1 << axis)));
+    }
+  }
+}
+
+const objectness::Rgb kWhite{255, 255, 255};
+
+void addObject(const objectness::Segment& segment, int rank, const std_msgs::Header& header,
+               std::vector<Marker>& markers) {
+  Marker box = makeMarker(header, "boxes", rank, Marker::LINE_LIST);
+  box.pose = toPose(segment.box.T_camera_box);
+  box.scale.x = kLineWidth;
+  box.color = toColor(objectness::objectColor(static_cast<std::size_t>(rank)));
+  addBoxEdges(segment.box.size_m, box.points);
+
+  Marker label = makeMarker(header, "labels", rank, Marker::TEXT_VIEW_FACING);
+  const Eigen::Vector3d above(0, 0, 0.5 * segment.box.size_m.z() + kTextHeight);
+  label.pose.position = toPoint(segment.box.T_camera_box * above);
+  label.scale.z = kTextHeight;
+  label.color = toColor(kWhite);
+  char text[48];
+  std::snprintf(text, sizeof(text), "%d: %.2f", rank + 1, segment.objectness);
+  label.text = text;
+
+  markers.push_back(std::move(box));
+  markers.push_back(std::move(label));
+}
+
+void addTable(const objectness::Table& table, const std_msgs::Header& header, std::vector<Marker>& markers) {
+  if (table.hull.empty()) return;
+  const std_msgs::ColorRGBA white = toColor(kWhite);
+  const geometry_msgs::Pose pose = toPose(table.T_table_camera.inverse());
+
+  Marker outline = makeMarker(header, "table", 0, Marker::LINE_STRIP);
+  outline.pose = pose;
+  outline.scale.x = kLineWidth;
+  outline.color = white;
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector2d& p : table.hull) {
+    outline.points.push_back(toPoint({p.x(), p.y(), 0}));
+    centre += p / static_cast<double>(table.hull.size());
+  }
+  outline.points.push_back(outline.points.front());
+
+  Marker normal = makeMarker(header, "table", 1, Marker::ARROW);
+  normal.pose = pose;
+  normal.scale.x = kLineWidth;
+  normal.scale.y = 3 * kLineWidth;
+  normal.color = white;
+  normal.points = {toPoint({centre.x(), centre.y(), 0}), toPoint({centre.x(), centre.y(), kArrowLength})};
+
+  markers.push_back(std::move(outline));
+  markers.push_back(std::move(normal));
+}
+
+}  // namespace
+
+visualization_msgs::MarkerArray toMarkers(const objectness::Segmentation& segmentation,
+                                          const std_msgs::Header& header) {
+  visualization_msgs::MarkerArray array;
+  // In the same message as what follows, or the markers flicker.
+  array.markers.push_back(makeMarker(header, "", 0, Marker::CUBE));
+  array.markers.back().action = Marker::DELETEALL;
+  if (!segmentation.status.ok()) return array;
+  for (std::size_t rank = 0; rank < segmentation.segments.size(); ++rank) {
+    addObject(segmentation.segments[rank], static_cast<int>(rank), header, array.markers);
+  }
+  addTable(segmentation.table, header, array.markers);
+  return array;
+}
+
+}  // namespace objectness_segmentation

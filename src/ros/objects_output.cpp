@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cloud_output.hpp"
+#include "geometry_output.hpp"
+#include "objectness_segmentation/ros/output_conversions.hpp"
+
+#include <string>
+
+namespace objectness_segmentation {
+namespace {
+
+using objectness::StatusCode;
+
+// The message's constants are a copy of the core's codes.
+static_assert(static_cast<int>(StatusCode::kOk) == SegmentedObjectArray::OK);
+static_assert(static_cast<int>(StatusCode::kNotOrganized) == SegmentedObjectArray::NOT_ORGANIZED);
+static_assert(static_cast<int>(StatusCode::kSizeMismatch) == SegmentedObjectArray::SIZE_MISMATCH);
+static_assert(static_cast<int>(StatusCode::kBadCamera) == SegmentedObjectArray::BAD_CAMERA);
+static_assert(static_cast<int>(StatusCode::kNoValidPoints) == SegmentedObjectArray::NO_VALID_POINTS);
+static_assert(static_cast<int>(StatusCode::kNoTable) == SegmentedObjectArray::NO_TABLE);
+static_assert(static_cast<int>(StatusCode::kBadConfig) == SegmentedObjectArray::BAD_CONFIG);
+static_assert(static_cast<int>(StatusCode::kVolumeTooLarge) == SegmentedObjectArray::VOLUME_TOO_LARGE);
+static_assert(static_cast<int>(StatusCode::kBadInput) == SegmentedObjectArray::BAD_INPUT);
+static_assert(static_cast<int>(StatusCode::kCancelled) == SegmentedObjectArray::CANCELLED);
+static_assert(static_cast<int>(StatusCode::kInternalError) == SegmentedObjectArray::INTERNAL_ERROR);
+
+std::uint64_t countNamed(const objectness::Report& report, const std::string& name) {
+  for (const auto& [key, count] : report.counts) {
+    if (key == name) return static_cast<std::uint64_t>(count);
+  }
+  return 0;
+}
+
+SegmentedObject toObject(const objectness::Segment& segment, std::size_t rank, const objectness::Frame& frame,
+                         const std_msgs::Header& header) {
+  SegmentedObject object;
+  object.header = header;
+  object.label = static_cast<std::uint32_t>(SegmentedObject::LABEL_FIRST_OBJECT + rank);
+  object.pose = toPose(segment.box.T_camera_box);
+  object.dimensions.x = segment.box.size_m.x();
+  object.dimensions.y = segment.box.size_m.y();
+  object.dimensions.z = segment.box.size_m.z();
+  object.objectness = static_cast<float>(segment.objectness);
+  object.edge_density = static_cast<float>(segment.cues.edge_density);
+  object.outer_edges = static_cast<float>(segment.cues.outer_edges);
+  object.straddling = static_cast<float>(segment.cues.straddling);
+  object.free_space = static_cast<float>(segment.cues.free_space);
+  object.indices.header = header;
+  object.indices.indices.assign(segment.pixels.begin(), segment.pixels.end());
+  object.cloud = extractCloud(frame, segment.pixels, header);
+  return object;
+}
+
+/// findTable() gives a height over the table; what never ran leaves 0.
+bool hasTable(const objectness::Table& table) { return table.d != 0; }
+
+}  // namespace
+
+SegmentedObjectArray toObjectsMessage(const objectness::Segmentation& segmentation, const objectness::Frame& frame,
+                                      const std_msgs::Header& header) {
+  SegmentedObjectArray message;
+  message.header = header;
+  message.status = static_cast<std::uint8_t>(segmentation.status.code);
+  message.message = segmentation.status.message;
+  message.table.header = header;
+  if (hasTable(segmentation.table)) {
+    const Eigen::Vector3f normal = segmentation.table.normal.cast<float>();
+    message.table.values = {normal.x(), normal.y(), normal.z(), static_cast<float>(segmentation.table.d)};
+  }
+  const std::size_t count = segmentation.status.ok() ? segmentation.segments.size() : 0;
+  message.objects.reserve(count);
+  for (std::size_t rank = 0; rank < count; ++rank) {
+    message.objects.push_back(toObject(segmentation.segments[rank], rank, frame, header));
+  }
+  message.boxes_sampled = countNamed(segmentation.report, "boxes_sampled");
+  message.boxes_scored = countNamed(segmentation.report, "boxes_scored");
+  message.boxes_passed = countNamed(segmentation.report, "boxes_passed");
+  return message;
+}
+
+}  // namespace objectness_segmentation

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "objectness_segmentation/ros/params.hpp"
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+#include <type_traits>
+#include <variant>
+
+namespace objectness_segmentation {
+namespace {
+
+using objectness::Config;
+using objectness::ConfigField;
+using objectness::configFields;
+using XmlRpc::XmlRpcValue;
+
+/// The name in the nested form of the presets.
+std::string nestedName(const ConfigField& field) { return field.group + "/" + field.name; }
+
+/// Exact types only, but a whole number may stand for a double: `max_depth_m: 6`. Takes a copy as XmlRpcValue's
+/// conversions are not const.
+bool convert(XmlRpcValue from, double& to) {
+  if (from.getType() == XmlRpcValue::TypeInt) {
+    to = static_cast<int>(from);
+    return true;
+  }
+  if (from.getType() != XmlRpcValue::TypeDouble) return false;
+  to = static_cast<double>(from);
+  return true;
+}
+bool convert(XmlRpcValue from, int& to) {
+  if (from.getType() != XmlRpcValue::TypeInt) return false;
+  to = static_cast<int>(from);
+  return true;
+}
+bool convert(XmlRpcValue from, bool& to) {
+  if (from.getType() != XmlRpcValue::TypeBoolean) return false;
+  to = static_cast<bool>(from);
+  return true;
+}
+
+/// Sets the field; false, and the field as it was, when the value has the wrong type or is out of range.
+bool assign(const XmlRpcValue& value, const ConfigField& field) {
+  return std::visit(
+      [&](auto* target) {
+        auto converted = *target;
+        // The comparison is false for NaN.
+        if (!convert(value, converted) || !(converted >= field.range.min && converted <= field.range.max)) return false;
+        *target = converted;
+        return true;
+      },
+      field.value);
+}
+
+std::string expectation(const ConfigField& field) {
+  if (std::holds_alternative<bool*>(field.value)) return "true or false";
+  std::ostringstream text;
+  text << (std::holds_alternative<int*>(field.value) ? "a whole number" : "a number") << " from " << field.range.min
+       << " to " << field.range.max;
+  return text.str();
+}
+
+/// Parameters below nh that nobody reads: most likely misspelt.
+std::vector<std::string> findUnknown(const ros::NodeHandle& nh, const std::vector<std::string>& others) {
+  std::set<std::string> known(others.begin(), others.end());
+  Config config;
+  for (const ConfigField& field : configFields(config)) known.insert({parameterName(field), nestedName(field)});
+  std::vector<std::string> all, unknown;
+  nh.getParamNames(all);
+  const std::string prefix = nh.getNamespace() + "/";
+  for (const std::string& name : all) {
+    if (name.compare(0, prefix.size(), prefix) == 0 && known.count(name.substr(prefix.size())) == 0) {
+      unknown.push_back("parameter " + name + " is not known and has no effect");
+    }
+  }
+  return unknown;
+}
+
+/// Calls visit(list, value) with the message's list for the field's type.
+template <class Message, class Visit>
+void visitList(Message& message, const ConfigField& field, Visit&& visit) {
+  if (auto* const* number = std::get_if<double*>(&field.value)) visit(message.doubles, **number);
+  if (auto* const* whole = std::get_if<int*>(&field.value)) visit(message.ints, **whole);
+  if (auto* const* flag = std::get_if<bool*>(&field.value)) visit(message.bools, **flag);
+}
+
+}  // namespace
+
+std::string parameterName(const ConfigField& field) { return field.group + "_" + field.name; }
+
+bool isReconfigurable(const ConfigField& field) { return field.group != "runtime"; }
+
+ReadParameters readParameters(const ros::NodeHandle& nh, const std::vector<std::string>& others) {
+  ReadParameters result;
+  for (const ConfigField& field : configFields(result.config)) {
+    for (const std::string& name : {nestedName(field), parameterName(field)}) {
+      XmlRpcValue value;
+      if (nh.getParam(name, value) && !assign(value, field)) {
+        std::ostringstream problem;
+        problem << "parameter " << nh.resolveName(name) << " is " << value << ", must be " << expectation(field)
+                << ": it is not used";
+        result.problems.push_back(problem.str());
+      }
+    }
+  }
+  for (std::string& unknown : findUnknown(nh, others)) result.problems.push_back(std::move(unknown));
+  const std::vector<std::string> contradictions = objectness::validate(result.config);
+  if (!contradictions.empty()) {
+    result.problems.insert(result.problems.end(), contradictions.begin(), contradictions.end());
+    result.problems.push_back("the parameters contradict each other: every one has its default");
+    result.config = Config{};
+  }
+  return result;
+}
+
+void writeReconfigurable(Config config, const ros::NodeHandle& nh) {
+  for (const ConfigField& field : configFields(config)) {
+    if (!isReconfigurable(field)) continue;
+    std::visit([&](const auto* value) { nh.setParam(parameterName(field), *value); }, field.value);
+  }
+}
+
+dynamic_reconfigure::Config toReconfigureMessage(Config config) {
+  dynamic_reconfigure::Config message;
+  for (const ConfigField& field : configFields(config)) {
+    if (!isReconfigurable(field)) continue;
+    visitList(message, field, [&](auto& list, const auto& value) {
+      list.emplace_back();
+      list.back().name = parameterName(field);
+      list.back().value = value;
+    });
+  }
+  return message;
+}
+
+Config fromReconfigureMessage(const dynamic_reconfigure::Config& message, Config config) {
+  for (const ConfigField& field : configFields(config)) {
+    if (!isReconfigurable(field)) continue;
+    visitList(message, field, [name = parameterName(field)](const auto& list, auto& value) {
+      const auto named = std::find_if(list.begin(), list.end(), [&](const auto& entry) { return entry.name == name; });
+      if (named != list.end()) value = named->value;
+    });
+  }
+  return config;
+}
+
+}  // namespace objectness_segmentation

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "objectness_segmentation/segments/segments.hpp"
+
+#include "objectness_segmentation/segments/geodesic_assignment.hpp"
+
+#include <algorithm>
+
+namespace objectness {
+namespace {
+
+bool holds(const SelectedBox& selected, const Eigen::Vector3f& p_table, double margin_voxels) {
+  const Box& b = selected.scored.box;
+  const Eigen::Vector3d q = selected.grid.toGrid(p_table.cast<double>());
+  return q.x() >= b.x0 - margin_voxels && q.x() < b.x1 + margin_voxels && q.y() >= b.y0 - margin_voxels &&
+         q.y() < b.y1 + margin_voxels && q.z() < b.height + margin_voxels;
+}
+
+/// For each superpixel the box that holds most of its points, -1 where no box holds enough. in_box[k][i]: point i in box k.
+std::vector<int> followedBoxes(const CuePoints& points, const std::vector<std::vector<bool>>& in_box, double min_share) {
+  std::vector<int> size(points.superpixels + 1, 0), best(points.superpixels + 1, -1), best_count(points.superpixels + 1, 0);
+  for (const int label : points.labels) ++size[label];
+  for (std::size_t k = 0; k < in_box.size(); ++k) {
+    std::vector<int> count(points.superpixels + 1, 0);
+    for (std::size_t i = 0; i < points.points.size(); ++i) count[points.labels[i]] += in_box[k][i];
+    for (int s = 1; s <= points.superpixels; ++s) {
+      if (count[s] <= best_count[s] || count[s] < min_share * size[s]) continue;
+      best[s] = static_cast<int>(k);
+      best_count[s] = count[s];
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+OrientedBox orientedBox(const Box& box, const Grid& grid, const Eigen::Isometry3d& T_table_camera) {
+  Eigen::Isometry3d T_table_box = Eigen::Isometry3d::Identity();
+  T_table_box.translate(grid.toTable({0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1), 0.5 * box.height}));
+  T_table_box.rotate(Eigen::AngleAxisd(grid.angle_rad, Eigen::Vector3d::UnitZ()));
+  return {T_table_camera.inverse() * T_table_box, grid.voxel_m * Eigen::Vector3d(box.sizeX(), box.sizeY(), box.height)};
+}
+
+std::vector<Segment> cutSegments(const Frame& frame, const Eigen::Isometry3d& T_table_camera, const CuePoints& points,
+                                 const std::vector<SelectedBox>& boxes, double margin_m, const SegmentsConfig& config) {
+  const std::size_t count = points.points.size();
+  std::vector<std::vector<bool>> in_box(boxes.size(), std::vector<bool>(count));
+  cv::Mat_<int> owner(frame.height(), frame.width(), -1);
+  const auto ownerOf = [&](std::size_t i) -> int& {
+    return owner(points.pixels[i] / frame.width(), points.pixels[i] % frame.width());
+  };
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    for (std::size_t i = 0; i < count; ++i) {
+      in_box[k][i] = holds(boxes[k], points.points[i], margin_m / boxes[k].grid.voxel_m);
+      if (in_box[k][i] && ownerOf(i) < 0) ownerOf(i) = static_cast<int>(k);
+    }
+  }
+  if (config.follow_superpixels) {
+    const std::vector<int> followed = followedBoxes(points, in_box, config.min_superpixel_share);
+    cv::Mat_<uchar> open(frame.height(), frame.width(), static_cast<uchar>(0));
+    for (std::size_t i = 0; i < count; ++i) {
+      const int label = points.labels[i];
+      if (label > 0) ownerOf(i) = followed[label];
+      if (label == 0) open(points.pixels[i] / frame.width(), points.pixels[i] % frame.width()) = 255;
+    }
+    assignGeodesic(frame, open, {config.max_step_m, config.max_reach_m}, owner);
+  }
+
+  std::vector<Segment> segments(boxes.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    if (ownerOf(i) >= 0) segments[ownerOf(i)].pixels.push_back(points.pixels[i]);
+  }
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    segments[k].box = orientedBox(boxes[k].scored.box, boxes[k].grid, T_table_camera);
+    segments[k].objectness = boxes[k].scored.objectness;
+    segments[k].cues = boxes[k].scored.cues;
+  }
+  const auto small = [&](const Segment& s) { return s.pixels.size() < static_cast<std::size_t>(config.min_pixels); };
+  segments.erase(std::remove_if(segments.begin(), segments.end(), small), segments.end());
+  return segments;
+}
+
+cv::Mat_<ushort> labelImage(const cv::Mat_<uchar>& on_table, const std::vector<Segment>& segments) {
+  cv::Mat_<ushort> labels(on_table.size(), static_cast<ushort>(0));
+  labels.setTo(1, on_table);
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    for (const int pixel : segments[k].pixels) labels(pixel / labels.cols, pixel % labels.cols) = static_cast<ushort>(k + 2);
+  }
+  return labels;
+}
+
+}  // namespace objectness

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segment_options.hpp"
+
+#include "objectness_segmentation/io/camera_yaml.hpp"
+#include "objectness_segmentation/io/config_yaml.hpp"
+
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <sstream>
+
+namespace objectness {
+namespace {
+
+namespace po = boost::program_options;
+
+constexpr const char* kIntroduction =
+    "Finds and segments the objects on a table by their 3D objectness.\n"
+    "\n"
+    "  segment [OPTION...] --out DIR INPUT...\n"
+    "\n"
+    "INPUT is a scene folder (depth.png: 16-bit millimetres, camera.yaml: as ROS camera_info, optional color.png) or "
+    "a\n"
+    ".pcd file. For each, DIR/NAME/labels.png (0 nothing, 1 table, 2 and above the objects, best first) and\n"
+    "DIR/NAME/objects.json are written; NAME is the folder's name, or the file's without .pcd.\n"
+    "\n";
+
+constexpr const char* kExamples =
+    "\n"
+    "Examples:\n"
+    "  segment --pictures --out results scene\n"
+    "  segment --out results --camera camera.yaml list_of_points.pcd\n"
+    "  segment --out results --set search.angle_step_deg=10 --set filter.threshold=0.8 scenes/*\n"
+    "  segment --print-config --set volume.min_extent_m=1 > preset.yaml; segment --config preset.yaml --out results "
+    "scene\n"
+    "\n"
+    "Exit status: 0 all inputs done (no object on the table is a result), 1 some input could not be used, or its\n"
+    "results not written, 2 wrong command line.\n";
+
+Result<SegmentOptions> bad(const std::string& message) {
+  return Result<SegmentOptions>::error(StatusCode::kBadConfig, message);
+}
+
+po::options_description shownOptions() {
+  po::options_description options("Options");
+  auto add = options.add_options();
+  add("method", po::value<std::string>()->value_name("NAME")->default_value("paper"),
+      "the method; there is only 'paper'");
+  add("config", po::value<std::string>()->value_name("FILE.yaml"), "preset of parameters (group: {field: value})");
+  add("set", po::value<std::vector<std::string>>()->value_name("NAME=VALUE")->composing(),
+      "set a parameter after the preset, as group.field=value; may be repeated, and more may follow each");
+  add("camera", po::value<std::string>()->value_name("CAMERA.yaml"),
+      "the camera of .pcd files (otherwise recovered from the pixel grid) and of folders without camera.yaml");
+  add("threads", po::value<std::string>()->value_name("N"), "worker threads, 0: one per processor (runtime.threads)");
+  add("seed", po::value<std::string>()->value_name("N"), "seed of the selection (runtime.seed)");
+  add("pictures", po::bool_switch(), "write DIR/NAME/overlay.png too");
+  add("out", po::value<std::string>()->value_name("DIR"), "folder for the results, made when missing");
+  add("list-parameters", po::bool_switch(), "print every parameter: name, type, default, least, largest, description");
+  add("print-config", po::bool_switch(), "print the parameters as they result from --config, --set, ... as a preset");
+  add("help,h", po::bool_switch(), "print this");
+  return options;
+}
+
+po::variables_map parse(int argc, const char* const* argv) {
+  po::options_description all = shownOptions();
+  all.add_options()("input", po::value<std::vector<std::string>>());
+  po::positional_options_description positional;
+  positional.add("input", -1);
+  // Abbreviated options would change their meaning when an option is added.
+  const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
+  po::variables_map values;
+  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(), values);
+  po::notify(values);
+  return values;
+}
+
+/// group.field=value that is no file: what "--set A=1 B=2" leaves among the inputs.
+bool isAssignment(const std::string& text) {
+  const std::string name = text.substr(0, text.find('='));
+  std::error_code ignored;
+  return name.size() < text.size() && name.find('.') != std::string::npos && name.find('/') == std::string::npos &&
+         !std::filesystem::exists(text, ignored);
+}
+
+Result<SegmentOptions> interpret(const po::variables_map& values) {
+  const auto text = [&](const char* name) {
+    return values.count(name) ? values[name].as<std::string>() : std::string();
+  };
+  const auto list = [&](const char* name) {
+    return values.count(name) ? values[name].as<std::vector<std::string>>() : std::vector<std::string>();
+  };
+  const auto is_set = [&](const char* name) { return values[name].as<bool>(); };
+
+  Result<SegmentOptions> options;
+  if (is_set("help")) {
+    std::ostringstream help;
+    help << kIntroduction << shownOptions() << kExamples;
+    options.value.print = help.str();
+    return options;
+  }
+  if (is_set("list-parameters")) {
+    options.value.print = listParameters();
+    return options;
+  }
+  if (text("method") != "paper") return bad("--method " + text("method") + ": there is only the method 'paper'");
+
+  if (values.count("config")) {
+    const Status status = loadConfig(text("config"), options.value.config);
+    if (!status.ok()) return bad("--config " + text("config") + ": " + status.message);
+  }
+  std::vector<std::string> assignments = list("set");
+  std::vector<std::string> inputs = list("input");
+  if (!assignments.empty()) {
+    const auto first =
+        std::stable_partition(inputs.begin(), inputs.end(), [](const auto& i) { return !isAssignment(i); });
+    std::move(first, inputs.end(), std::back_inserter(assignments));
+    inputs.erase(first, inputs.end());
+  }
+  for (const char* name : {"threads", "seed"}) {
+    if (values.count(name)) assignments.push_back(std::string("runtime.") + name + "=" + text(name));
+  }
+  const Status status = setParameters(assignments, options.value.config);
+  if (!status.ok()) return bad(status.message);
+  if (is_set("print-config")) {
+    options.value.print = toYaml(options.value.config);
+    return options;
+  }
+
+  if (values.count("camera")) {
+    const Result<PinholeCamera> camera = loadCamera(text("camera"));
+    if (!camera.ok()) return bad("--camera " + text("camera") + ": " + camera.status.message);
+    options.value.camera = camera.value;
+  }
+  options.value.out = text("out");
+  options.value.pictures = is_set("pictures");
+  options.value.inputs = inputs;
+  if (inputs.empty()) return bad("no INPUT given: name a scene folder or a .pcd file");
+  if (options.value.out.empty()) return bad("no --out DIR given: where shall the results go?");
+  return options;
+}
+
+}  // namespace
+
+Result<SegmentOptions> parseSegmentOptions(int argc, const char* const* argv) {
+  try {
+    return interpret(parse(argc, argv));
+  } catch (const po::error& e) {
+    return bad(e.what());
+  }
+}
+
+}  // namespace objectness

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "objectness_segmentation/common/status.hpp"
+#include "objectness_segmentation/config.hpp"
+#include "objectness_segmentation/scene/camera.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace objectness {
+
+/// What the command line of `segment` asks for.
+struct SegmentOptions {
+  Config config;
+  std::optional<PinholeCamera> camera;
+  std::string out;
+  bool pictures = false;
+  std::vector<std::string> inputs;
+  std::string print;  ///< text to print instead of segmenting anything (--help and the like)
+};
+
+/// An error is one that a look at `segment --help` helps with.
+Result<SegmentOptions> parseSegmentOptions(int argc, const char* const* argv);
+
+}  // namespace objectness

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "objectness_segmentation/segments/geodesic_assignment.hpp"
+#include "objectness_segmentation/segments/segments.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace objectness;
+
+namespace {
+
+/// A camera-aligned "table": points lie at (u, v) centimetres, the table frame is the camera frame.
+Frame flatFrame(int width, int height) {
+  Frame frame;
+  frame.camera = {100, 100, 0, 0, width, height};
+  for (int v = 0; v < height; ++v) {
+    for (int u = 0; u < width; ++u) frame.points.emplace_back(0.01f * (u + 0.5f), 0.01f * (v + 0.5f), 0.005f);
+  }
+  return frame;
+}
+
+CuePoints pointsOf(const Frame& frame, const std::vector<int>& labels) {
+  CuePoints points;
+  points.points = frame.points;
+  points.labels = labels;
+  for (int i = 0; i < frame.size(); ++i) points.pixels.push_back(i);
+  points.superpixels = *std::max_element(labels.begin(), labels.end());
+  points.top_m = 0.005f;
+  return points;
+}
+
+SelectedBox selectedBox(int x0, int x1, int y0, int y1, float objectness) {
+  SelectedBox selected;
+  selected.scored.box = {0, x0, x1, y0, y1, 3};
+  selected.scored.objectness = objectness;
+  selected.grid.nx = selected.grid.ny = 40, selected.grid.nz = 5;
+  return selected;
+}
+
+const Eigen::Isometry3d kHere = Eigen::Isometry3d::Identity();
+
+SegmentsConfig config(bool follow) {
+  SegmentsConfig c;
+  c.follow_superpixels = follow;
+  c.min_pixels = 1;
+  return c;
+}
+
+}  // namespace
+
+TEST(Segments, PlainBoxesGiveAPixelToTheBestBoxThatHoldsIt) {
+  const Frame frame = flatFrame(10, 1);
+  const CuePoints points = pointsOf(frame, std::vector<int>(10, 0));
+  const auto segments = cutSegments(frame, kHere, points, {selectedBox(0, 4, 0, 3, 1.2f), selectedBox(2, 8, 0, 3, 1.0f)}, 0,
+                                    config(false));
+  ASSERT_EQ(segments.size(), 2u);
+  EXPECT_EQ(segments[0].pixels, (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(segments[1].pixels, (std::vector<int>{4, 5, 6, 7}));
+  EXPECT_FLOAT_EQ(segments[0].objectness, 1.2f);
+}
+
+TEST(Segments, TheMarginCountsAsInside) {
+  const Frame frame = flatFrame(10, 1);
+  const CuePoints points = pointsOf(frame, std::vector<int>(10, 0));
+  const std::vector<SelectedBox> boxes = {selectedBox(2, 5, 0, 3, 1)};
+  EXPECT_EQ(cutSegments(frame, kHere, points, boxes, 0.004, config(false))[0].pixels.size(), 3u);
+  EXPECT_EQ(cutSegments(frame, kHere, points, boxes, 0.006, config(false))[0].pixels.size(), 5u);
+}
+
+TEST(Segments, WholeSuperpixelsFollowTheBoxThatHoldsMostOfThem) {
+  const Frame frame = flatFrame(12, 1);
+  const CuePoints points = pointsOf(frame, {1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 2});
+  // The first box holds superpixel 1 and two pixels of superpixel 2, the second most of superpixel 2.
+  const auto segments = cutSegments(frame, kHere, points, {selectedBox(0, 7, 0, 3, 1.2f), selectedBox(6, 11, 0, 3, 1.0f)}, 0,
+                                    config(true));
+  ASSERT_EQ(segments.size(), 2u);
+  EXPECT_EQ(segments[0].pixels, (std::vector<int>{0, 1, 2, 3, 4}));
+  EXPECT_EQ(segments[1].pixels, (std::vector<int>{5, 6, 7, 8, 9, 10, 11}));
+}
+
+TEST(Segments, PointsWithoutSuperpixelFollowTheirNearestSegment) {
+  const Frame frame = flatFrame(12, 1);
+  const CuePoints points = pointsOf(frame, {1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0});
+  SegmentsConfig c = config(true);
+  c.max_reach_m = 0.031;
+  const auto segments = cutSegments(frame, kHere, points, {selectedBox(0, 4, 0, 3, 1)}, 0, c);
+  EXPECT_EQ(segments[0].pixels, (std::vector<int>{0, 1, 2, 3, 4, 5, 6})) << "three pixels of 1 cm, and no farther";
+}
+
+TEST(Segments, SmallSegmentsAreDroppedAndBestComeFirst) {
+  const Frame frame = flatFrame(10, 1);
+  const CuePoints points = pointsOf(frame, std::vector<int>(10, 0));
+  SegmentsConfig c = config(false);
+  c.min_pixels = 3;
+  const auto segments = cutSegments(frame, kHere, points, {selectedBox(0, 2, 0, 3, 1.2f), selectedBox(3, 8, 0, 3, 1.0f)}, 0, c);
+  ASSERT_EQ(segments.size(), 1u);
+  cv::Mat_<uchar> on_table(1, 10, static_cast<uchar>(0));
+  on_table(0, 0) = on_table(0, 5) = 255;
+  const cv::Mat_<ushort> labels = labelImage(on_table, segments);
+  EXPECT_EQ(labels(0, 0), 1);
+  EXPECT_EQ(labels(0, 1), 0);
+  EXPECT_EQ(labels(0, 5), 2) << "a segment's pixel is no table";
+}
+
+TEST(Segments, TheOrientedBoxIsWhereItsGridSays) {
+  Grid grid;
+  grid.angle_rad = 0.5, grid.cosine = std::cos(0.5), grid.sine = std::sin(0.5);
+  grid.origin_m = {0.1, -0.3}, grid.nx = grid.ny = 40, grid.nz = 20;
+  Eigen::Isometry3d T_table_camera = Eigen::Isometry3d::Identity();
+  T_table_camera.translate(Eigen::Vector3d(0.2, -0.1, 0.9));
+  T_table_camera.rotate(Eigen::AngleAxisd(2.4, Eigen::Vector3d(1, 0.2, 0.1).normalized()));
+  const Box box{0, 4, 10, 6, 9, 12};
+  const OrientedBox oriented = orientedBox(box, grid, T_table_camera);
+  EXPECT_LT((oriented.size_m - Eigen::Vector3d(0.06, 0.03, 0.12)).norm(), 1e-12);
+  for (const double x : {-0.5, 0.5}) {
+    for (const double y : {-0.5, 0.5}) {
+      for (const double z : {-0.5, 0.5}) {
+        const Eigen::Vector3d corner = oriented.T_camera_box * oriented.size_m.cwiseProduct(Eigen::Vector3d(x, y, z));
+        const Eigen::Vector3d q = grid.toGrid(T_table_camera * corner);
+        EXPECT_LT((q - Eigen::Vector3d(x < 0 ? 4 : 10, y < 0 ? 6 : 9, z < 0 ? 0 : 12)).norm(), 1e-9);
+      }
+    }
+  }
+}
+
+TEST(Geodesic, StopsAtGapsOfTheSurface) {
+  Frame frame = flatFrame(8, 1);
+  for (int i = 4; i < 8; ++i) frame.points[i].z() += 0.1f;  // another surface behind
+  cv::Mat_<uchar> open(1, 8, static_cast<uchar>(255));
+  cv::Mat_<int> owner(1, 8, -1);
+  owner(0, 0) = 3;
+  assignGeodesic(frame, open, {0.015, 1.0}, owner);
+  for (int u = 0; u < 8; ++u) EXPECT_EQ(owner(0, u), u < 4 ? 3 : -1);
+}
+
+TEST(Geodesic, GoesToTheNearerSourceAndOnlyThroughOpenPixels) {
+  const Frame frame = flatFrame(9, 3);
+  cv::Mat_<uchar> open(3, 9, static_cast<uchar>(255));
+  for (int v = 0; v < 3; ++v) open(v, 6) = 0;  // a wall
+  cv::Mat_<int> owner(3, 9, -1);
+  owner(1, 0) = 0;
+  owner(1, 5) = 1;
+  assignGeodesic(frame, open, {0.015, 1.0}, owner);
+  for (int v = 0; v < 3; ++v) {
+    EXPECT_EQ(owner(v, 1), 0);
+    EXPECT_EQ(owner(v, 4), 1);
+    for (int u = 6; u < 9; ++u) EXPECT_EQ(owner(v, u), -1);
+  }
+}
+
+TEST(Geodesic, MissingPointsAreNotCrossed) {
+  Frame frame = flatFrame(5, 1);
+  frame.points[2].setConstant(std::nanf(""));
+  cv::Mat_<uchar> open(1, 5, static_cast<uchar>(255));
+  cv::Mat_<int> owner(1, 5, -1);
+  owner(0, 0) = 0;
+  assignGeodesic(frame, open, {0.015, 1.0}, owner);
+  EXPECT_EQ(owner(0, 1), 0);
+  EXPECT_EQ(owner(0, 2), -1);
+  EXPECT_EQ(owner(0, 3), -1);
+}

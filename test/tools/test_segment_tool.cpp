@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fixtures/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+using namespace objectness_test;
+
+namespace {
+
+const std::string kTools = TOOL_DIR;
+
+class SegmentTool : public testing::Test {
+ protected:
+  struct Outcome {
+    int exit_status;
+    std::string out, err;
+    long errorLines() const { return std::count(err.begin(), err.end(), '\n'); }
+  };
+
+  Outcome run(const std::string& arguments, const std::string& tool = "segment") const {
+    const std::string command =
+        kTools + "/" + tool + " " + arguments + " >" + (folder_ / "stdout") + " 2>" + (folder_ / "stderr");
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readBytes(folder_ / "stdout"), readBytes(folder_ / "stderr")};
+  }
+  std::string makeScene(const std::string& name) const {
+    EXPECT_EQ(run("--out " + (folder_ / name), "make_demo_scene").exit_status, 0);
+    return folder_ / name;
+  }
+  void expectUsageError(const std::string& arguments, const std::string& text) const {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_status, 2) << arguments;
+    EXPECT_EQ(outcome.errorLines(), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
+  }
+  /// The coarse angles make it quick.
+  std::string common() const { return " --set search.angle_step_deg=45 --out " + (folder_ / "out") + " "; }
+
+  TemporaryFolder folder_;
+};
+
+}  // namespace
+
+TEST_F(SegmentTool, WritesTheResults) {
+  const std::string scene = makeScene("kitchen");
+  const Outcome outcome = run(common() + "--pictures --threads 2 --seed 3 --method paper " + scene + "/");
+  ASSERT_EQ(outcome.exit_status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(outcome.out.compare(0, 9, "kitchen: "), 0) << outcome.out;
+  const auto json = nlohmann::json::parse(readBytes(folder_ / "out/kitchen/objects.json"));
+  EXPECT_EQ(json["input"], scene + "/");
+  EXPECT_EQ(json["status"], "ok");
+  EXPECT_GE(json["objects"].size(), 3u);
+  for (const char* count : {"boxes_sampled", "boxes_scored"}) EXPECT_GT(json["report"][count], 0) << count;
+  EXPECT_GT(json["report"]["timings_ms"]["total"], 0);
+  const cv::Mat labels = cv::imread(folder_ / "out/kitchen/labels.png", cv::IMREAD_UNCHANGED);
+  ASSERT_EQ(labels.type(), CV_16UC1);
+  double highest = 0;
+  cv::minMaxLoc(labels, nullptr, &highest);
+  EXPECT_EQ(highest, json["objects"].size() + 1.0);
+  for (const auto& object : json["objects"])
+    EXPECT_EQ(cv::countNonZero(labels == int(object["label"])), object["points"]);
+  EXPECT_EQ(cv::imread(folder_ / "out/kitchen/overlay.png").size(), labels.size());
+}
+
+TEST_F(SegmentTool, BadInputsGetOneLineEachAndTheOthersAreDone) {
+  const std::string good = makeScene("good"), cut = makeScene("cut"), text = makeScene("text");
+  truncateFile(cut + "/depth.png", 0.5);
+  writeBytes(text + "/depth.png", "no picture");
+  writeBytes(text + "/camera.yaml", "image_width: [");
+  std::filesystem::create_directory(folder_ / "empty");
+  writeBytes(folder_ / "broken.pcd", "VERSION 0.7\nFIELDS x y z\n");
+  writeBytes(folder_ / "out/cut/objects.json", "of an earlier run");
+  const Outcome outcome = run(common() + cut + " " + text + " " + (folder_ / "empty") + " " + (folder_ / "missing") +
+                              " " + (folder_ / "broken.pcd") + " / " + good + " " + (folder_ / "out/../good"));
+  EXPECT_EQ(outcome.exit_status, 1);
+  EXPECT_EQ(outcome.errorLines(), 7) << outcome.err;
+  for (const std::string& line : std::vector<std::string>{
+           cut + ": depth.png: is cut off", text + ": depth.png: is not a PNG", "empty: holds no depth.png",
+           "missing: there is no such file or folder", "broken.pcd: is cut off within its header", "/: has no name",
+           "out/../good: its results would overwrite those of " + good}) {
+    EXPECT_NE(outcome.err.find(line), std::string::npos) << line << "\n" << outcome.err;
+  }
+  EXPECT_EQ(outcome.out.compare(0, 6, "good: "), 0) << outcome.out;
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/good/objects.json"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/cut/objects.json"));
+}
+
+TEST_F(SegmentTool, NothingOnTheTableIsAResult) {
+  const std::string scene = makeScene("bare");
+  cv::imwrite(scene + "/depth.png", cv::Mat(480, 640, CV_16UC1, cv::Scalar(1000)));
+  const Outcome outcome = run(common() + scene);
+  EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.compare(0, 15, "bare: 0 objects"), 0) << outcome.out;
+}
+
+TEST_F(SegmentTool, WrongCommandLines) {
+  expectUsageError("", "no INPUT given");
+  expectUsageError("scene", "no --out DIR given");
+  expectUsageError("--out o --pict scene", "unrecognised option '--pict'");
+  expectUsageError("--out o --method graph scene", "there is only the method 'paper'");
+  expectUsageError("--out o --threads many scene", "runtime.threads is 'many', must be a whole number");
+  expectUsageError("--out o --seed -1 scene", "seed");
+  expectUsageError("--out o --set serach.angle_step_deg=3 scene", "did you mean search.angle_step_deg?");
+  expectUsageError("--out o --set search.angle_step_deg=0 scene", "must be within 1 and 90");
+  expectUsageError("--out o --config none.yaml scene", "--config none.yaml: there is no such file");
+  expectUsageError("--out o --camera none.yaml scene", "--camera none.yaml: there is no such file");
+  expectUsageError("--out o --out p scene", "out");
+}
+
+TEST_F(SegmentTool, OutputThatCannotBeWritten) {
+  writeBytes(folder_ / "file", "x");
+  for (const std::string& out : {folder_ / "file", folder_ / "file/below", std::string("/proc/nowhere")}) {
+    const Outcome outcome = run("--out " + out + " scene");
+    EXPECT_EQ(outcome.exit_status, 1);
+    EXPECT_EQ(outcome.errorLines(), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find("--out " + out + ": cannot write there"), std::string::npos) << outcome.err;
+  }
+}
+
+TEST_F(SegmentTool, PrintsHelpParametersAndConfiguration) {
+  const Outcome help = run("--help");
+  EXPECT_EQ(help.exit_status, 0);
+  for (const char* text : {"--pictures", "--camera", "Examples:", "Exit status"})
+    EXPECT_NE(help.out.find(text), std::string::npos);
+  EXPECT_NE(run("--list-parameters").out.find("filter.threshold\tdouble\t"), std::string::npos);
+  const std::string preset = REPOSITORY_DIR "/cfg/plain_boxes.yaml";
+  const Outcome config = run("--print-config --config " + preset + " --set runtime.seed=5 runtime.threads=3");
+  EXPECT_EQ(config.exit_status, 0) << config.err;
+  for (const char* text : {"follow_superpixels: false", "seed: 5", "threads: 3"}) {
+    EXPECT_NE(config.out.find(text), std::string::npos) << text << "\n" << config.out;
+  }
+}
+
+TEST_F(SegmentTool, LinksNoRos) {
+  ASSERT_EQ(std::system(("ldd " + kTools + "/segment >" + (folder_ / "ldd")).c_str()), 0);
+  const std::string libraries = readBytes(folder_ / "ldd");
+  EXPECT_NE(libraries.find("libopencv_core"), std::string::npos);
+  for (const char* ros : {"libroscpp", "librostime", "libnodelet"})
+    EXPECT_EQ(libraries.find(ros), std::string::npos) << ros;
+}

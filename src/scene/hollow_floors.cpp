@@ -11,14 +11,13 @@ namespace {
 
 constexpr int kMinFloorPixels = 20;
 constexpr double kFloorThicknessM = 0.0012;  // a bowl's floor lies higher than the table around it, a ring's hole does not
-constexpr double kAroundM = 0.05;            // where the table around a thing is measured
+constexpr double kAroundM = 0.10;            // where the table around a thing is measured
 constexpr int kMinAroundPixels = 50;
 
 constexpr float kSameRimM = 0.01f;
 
 /// Connected pixels that are no thing.
 struct Region {
-  int pixels = 0;
   bool open = false;        // not enclosed: reaches the image border or touches more than two things
   int things[2] = {0, 0};   // that it touches; 0 = none
   cv::Rect box;
@@ -54,38 +53,19 @@ double median(std::vector<float>& values) {
   return *middle;
 }
 
-/// Median height of the table next to a region's thing; NaN when it is not seen.
-double tableAround(const cv::Rect& box, const HeightMap& map, const Things& things) {
-  std::vector<float> heights;
-  for (int v = box.y; v < box.y + box.height; ++v) {
-    for (int u = box.x; u < box.x + box.width; ++u) {
-      const float h = map.height_m(v, u);
-      if (things.label(v, u) == 0 && std::abs(h) <= map.threshold_m(v, u)) heights.push_back(h);
-    }
-  }
-  return heights.size() < static_cast<std::size_t>(kMinAroundPixels) ? std::nan("") : median(heights);
-}
-
-}  // namespace
-
-void addHollowFloors(const Frame& frame, const Table& table, const HeightMap& map, const Things& things,
-                     cv::Mat_<uchar>& mask) {
-  const int width = frame.width(), height = frame.height();
-  const Eigen::Matrix<float, 2, 3> axes = table.T_table_camera.linear().topRows<2>().cast<float>();
-
-  // Regions and what they touch.
+/// Regions of pixels that are no thing, by their label in `labels` (4-connected), with what they touch.
+std::vector<Region> findRegions(const Things& things, cv::Mat_<int>& labels) {
+  const int width = things.label.cols, height = things.label.rows;
   const cv::Mat_<uchar> free = things.label == 0;
-  cv::Mat labels_mat, stats, centroids;
-  const int count = cv::connectedComponentsWithStats(free, labels_mat, stats, centroids, 4);
-  const cv::Mat_<int> labels = labels_mat;
-  std::vector<Region> regions(count);
-  for (int k = 1; k < count; ++k) {
-    Region& region = regions[k];
-    region.pixels = stats.at<int>(k, cv::CC_STAT_AREA);
-    region.box = cv::Rect(stats.at<int>(k, cv::CC_STAT_LEFT), stats.at<int>(k, cv::CC_STAT_TOP),
-                          stats.at<int>(k, cv::CC_STAT_WIDTH), stats.at<int>(k, cv::CC_STAT_HEIGHT));
-    const bool at_border = region.box.x == 0 || region.box.y == 0 || region.box.br().x == width || region.box.br().y == height;
-    region.open = at_border || region.pixels < kMinFloorPixels;
+  cv::Mat found, stats, centroids;
+  std::vector<Region> regions(cv::connectedComponentsWithStats(free, found, stats, centroids, 4));
+  labels = found;
+  for (int k = 1; k < static_cast<int>(regions.size()); ++k) {
+    cv::Rect& box = regions[k].box;
+    box = cv::Rect(stats.at<int>(k, cv::CC_STAT_LEFT), stats.at<int>(k, cv::CC_STAT_TOP),
+                   stats.at<int>(k, cv::CC_STAT_WIDTH), stats.at<int>(k, cv::CC_STAT_HEIGHT));
+    const bool at_border = box.x == 0 || box.y == 0 || box.br().x == width || box.br().y == height;
+    regions[k].open = at_border || stats.at<int>(k, cv::CC_STAT_AREA) < kMinFloorPixels;
   }
   for (int v = 0; v < height; ++v) {
     for (int u = 0; u < width; ++u) {
@@ -97,38 +77,77 @@ void addHollowFloors(const Frame& frame, const Table& table, const HeightMap& ma
       }
     }
   }
-  // A bowl often falls into the outside of its front and the inside of its back: two things with one rim.
-  std::vector<float> rim(things.count + 1, 0);
-  for (int i = 0; i < frame.size(); ++i) {
-    float& height_of_rim = rim[things.label.ptr<int>()[i]];
-    if (things.label.ptr<int>()[i] > 0) height_of_rim = std::max(height_of_rim, map.height_m.ptr<float>()[i]);
-  }
-  std::vector<bool> hollow(things.count + 1, false);
-  for (int k = 1; k < count; ++k) {
-    Region& region = regions[k];
-    if (region.things[1] > 0 && std::abs(rim[region.things[0]] - rim[region.things[1]]) > kSameRimM) region.open = true;
-    if (region.things[0] == 0) region.open = true;
-    if (!region.open) hollow[region.things[0]] = hollow[region.things[1]] = true;
-  }
-  hollow[0] = false;
-  std::vector<std::vector<cv::Point>> footprints(things.count + 1);  // their convex hulls, in cells of the table's extent
-  for (int i = 0; i < frame.size(); ++i) {
-    const int thing = things.label.ptr<int>()[i];
-    if (hollow[thing]) footprints[thing].push_back(cellOf(axes * frame.points[i], table.extent));
-  }
-  for (std::vector<cv::Point>& footprint : footprints) {
-    const std::vector<cv::Point> cells = std::move(footprint);
-    footprint.clear();
-    if (!cells.empty()) cv::convexHull(cells, footprint);
-  }
+  return regions;
+}
 
-  for (int k = 1; k < count; ++k) {
+/// Opens the regions between two things of different height. (A bowl often falls into the outside of its front and the
+/// inside of its back: two things with one rim.)
+void requireOneRim(const Things& things, const HeightMap& map, std::vector<Region>& regions) {
+  std::vector<float> rim(things.count + 1, 0);
+  for (std::size_t i = 0; i < things.label.total(); ++i) {
+    const int thing = things.label.ptr<int>()[i];
+    if (thing > 0) rim[thing] = std::max(rim[thing], map.height_m.ptr<float>()[i]);
+  }
+  for (Region& region : regions) {
+    const bool differ = region.things[1] > 0 && std::abs(rim[region.things[0]] - rim[region.things[1]]) > kSameRimM;
+    if (region.things[0] == 0 || differ) region.open = true;
+  }
+}
+
+/// Convex hulls of the things around closed regions, seen from above, in cells of the table's extent.
+std::vector<std::vector<cv::Point>> footprints(const Frame& frame, const Table& table, const Things& things,
+                                               const std::vector<Region>& regions) {
+  std::vector<bool> wanted(things.count + 1, false);
+  for (const Region& region : regions) {
+    if (!region.open) wanted[region.things[0]] = wanted[region.things[1]] = true;
+  }
+  wanted[0] = false;
+  const Eigen::Matrix<float, 2, 3> axes = table.T_table_camera.linear().topRows<2>().cast<float>();
+  std::vector<std::vector<cv::Point>> cells(things.count + 1), hulls(things.count + 1);
+  for (std::size_t i = 0; i < things.label.total(); ++i) {
+    const int thing = things.label.ptr<int>()[i];
+    if (wanted[thing]) cells[thing].push_back(cellOf(axes * frame.points[i], table.extent));
+  }
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    if (!cells[k].empty()) cv::convexHull(cells[k], hulls[k]);
+  }
+  return hulls;
+}
+
+/// Median height of the table next to a region; NaN when it is not seen.
+double tableAround(const cv::Rect& region, int reach_px, const HeightMap& map, const Things& things) {
+  const cv::Rect image(0, 0, map.height_m.cols, map.height_m.rows);
+  const cv::Rect box = cv::Rect(region.x - reach_px, region.y - reach_px, region.width + 2 * reach_px,
+                                region.height + 2 * reach_px) & image;
+  std::vector<float> heights;
+  for (int v = box.y; v < box.br().y; ++v) {
+    for (int u = box.x; u < box.br().x; ++u) {
+      const float h = map.height_m(v, u);
+      if (things.label(v, u) > 0 || region.contains({u, v}) || !(std::abs(h) <= map.threshold_m(v, u))) continue;
+      heights.push_back(h);
+    }
+  }
+  return heights.size() < static_cast<std::size_t>(kMinAroundPixels) ? std::nan("") : median(heights);
+}
+
+}  // namespace
+
+void addHollowFloors(const Frame& frame, const Table& table, const HeightMap& map, const Things& things,
+                     cv::Mat_<uchar>& mask) {
+  cv::Mat_<int> labels;
+  std::vector<Region> regions = findRegions(things, labels);
+  requireOneRim(things, map, regions);
+  const std::vector<std::vector<cv::Point>> hulls = footprints(frame, table, things, regions);
+  const Eigen::Matrix<float, 2, 3> axes = table.T_table_camera.linear().topRows<2>().cast<float>();
+
+  for (int k = 1; k < static_cast<int>(regions.size()); ++k) {
     const Region& region = regions[k];
     if (region.open) continue;
-    std::vector<cv::Point> footprint = footprints[region.things[0]];
-    const std::vector<cv::Point>& second = footprints[region.things[1]];
+    std::vector<cv::Point> footprint = hulls[region.things[0]];
+    const std::vector<cv::Point>& second = hulls[region.things[1]];
     footprint.insert(footprint.end(), second.begin(), second.end());
-    const cv::Mat_<uchar> hull = convexHullRaster(footprint, table.extent.cells.size());
+    const cv::Mat_<uchar> inside = convexHullRaster(footprint, table.extent.cells.size());
+
     std::vector<cv::Point> floor;
     std::vector<float> heights;
     double depth = 0;
@@ -136,21 +155,17 @@ void addHollowFloors(const Frame& frame, const Table& table, const HeightMap& ma
       for (int u = region.box.x; u < region.box.br().x; ++u) {
         const float h = map.height_m(v, u);
         if (labels(v, u) != k || !(std::abs(h) <= 2 * map.threshold_m(v, u))) continue;
-        const Eigen::Vector3f& p = frame.points[v * width + u];
+        const Eigen::Vector3f& p = frame.points[static_cast<std::size_t>(v) * frame.width() + u];
         const cv::Point cell = cellOf(axes * p, table.extent);
-        if (!cv::Rect(0, 0, hull.cols, hull.rows).contains(cell) || hull(cell) == 0) continue;
+        if (!cv::Rect(0, 0, inside.cols, inside.rows).contains(cell) || inside(cell) == 0) continue;
         floor.emplace_back(u, v);
         heights.push_back(h);
         depth += p.z();
       }
     }
     if (floor.size() < static_cast<std::size_t>(kMinFloorPixels)) continue;
-    const int around = static_cast<int>(std::ceil(kAroundM * frame.camera.focal() * floor.size() / depth));
-    cv::Rect box = region.box;
-    box -= cv::Point(2 * around, 2 * around);
-    box += cv::Size(4 * around, 4 * around);
-    const double reference = tableAround(box & cv::Rect(0, 0, width, height), map, things);
-    if (median(heights) < reference + kFloorThicknessM) continue;
+    const int reach_px = static_cast<int>(std::ceil(kAroundM * frame.camera.focal() * floor.size() / depth));
+    if (median(heights) < tableAround(region.box, reach_px, map, things) + kFloorThicknessM) continue;
     for (const cv::Point& pixel : floor) mask(pixel) = 255;
   }
 }

@@ -40,7 +40,8 @@ void checkWholeVoxels(const char* name, double metres, double voxel_m, Problems&
   if (!(voxel_m > 0) || !std::isfinite(metres)) return;
   const double voxels = metres / voxel_m;
   if (std::abs(voxels - std::round(voxels)) > kMultipleTolerance) {
-    problems.push_back(sentence(name, " is ", metres, ", must be a whole multiple of volume.voxel_m, which is ", voxel_m));
+    problems.push_back(
+        sentence(name, " is ", metres, ", must be a whole multiple of volume.voxel_m, which is ", voxel_m));
   } else if (metres > 0 && std::round(voxels) < 1) {
     problems.push_back(sentence(name, " is ", metres, ", must be at least volume.voxel_m, which is ", voxel_m));
   }
@@ -54,14 +55,15 @@ std::vector<std::string> validate(const Config& config) {
 
   const InputConfig& input = config.input;
   if (input.min_depth_m >= input.max_depth_m) {
-    problems.push_back(sentence("input.min_depth_m is ", input.min_depth_m, ", must be less than input.max_depth_m, which is ",
-                                input.max_depth_m));
+    problems.push_back(sentence("input.min_depth_m is ", input.min_depth_m,
+                                ", must be less than input.max_depth_m, which is ", input.max_depth_m));
   }
-  checkOrder("normals.min_window_px", config.normals.min_window_px, "normals.max_window_px", config.normals.max_window_px,
-             problems);
+  checkOrder("normals.min_window_px", config.normals.min_window_px, "normals.max_window_px",
+             config.normals.max_window_px, problems);
   const TableConfig& table = config.table;
   if (table.given && table.given_a == 0 && table.given_b == 0 && table.given_c == 0) {
-    problems.push_back("table.given_a, table.given_b and table.given_c are all 0, must be the normal of the given plane");
+    problems.push_back(
+        "table.given_a, table.given_b and table.given_c are all 0, must be the normal of the given plane");
   }
   const SearchConfig& search = config.search;
   checkOrder("search.min_size_m", search.min_size_m, "search.max_size_m", search.max_size_m, problems);

@@ -41,11 +41,23 @@ class DepthEdgeFinder {
  private:
   bool valid(int pixel) const { return !std::isnan(frame_.points[pixel].z()); }
 
+  /// The normal at the rim of a gap: of the nearest pixel away from it that has one; windows shrink to nothing there.
+  Eigen::Vector3f normalAtRim(int pixel, int away) const {
+    const int width = frame_.width(), u = pixel % width, v = pixel / width;
+    const int room = away == -1 ? u : away == 1 ? width - 1 - u : away < 0 ? v : frame_.height() - 1 - v;
+    for (int k = 0; k < std::min(room, kMinWindowPx); ++k) {
+      if (normals_.radius_px[pixel + k * away] > 0) return normals_.normal[pixel + k * away];
+    }
+    return normals_.normal[pixel];
+  }
+
   /// The points on either side of a gap are one surface when each lies near the tangent plane of the other: a slanted
   /// surface goes a long way in depth across a wide gap.
-  bool onOneSurface(int a, int b, double tolerance) const {
+  bool onOneSurface(int a, int b, int steps, double tolerance) const {
+    const int stride = (b - a) / steps;
     const Eigen::Vector3f gap = frame_.points[b] - frame_.points[a];
-    return std::abs(normals_.normal[a].dot(gap)) < tolerance && std::abs(normals_.normal[b].dot(gap)) < tolerance;
+    return std::abs(normalAtRim(a, -stride).dot(gap)) < tolerance &&
+           std::abs(normalAtRim(b, stride).dot(gap)) < tolerance;
   }
 
   /// a and b: valid pixels `steps` apart in a row or a column, nothing valid between them.
@@ -55,8 +67,9 @@ class DepthEdgeFinder {
     const double near = std::min(z_a, z_b), difference = std::abs(z_a - z_b);
     if (steps > 1 && steps * near > config_.gap_m * focal_) return;
     if (difference > config_.step_m) {
-      const double step = std::max({config_.step_m, config_.step_sigmas * noise_.sigma(near), kGrazingSlope * near / focal_});
-      if (difference > step && !(steps > 1 && onOneSurface(a, b, step))) {
+      const double noise = config_.step_sigmas * noise_.sigma(near);
+      const double step = std::max({config_.step_m, noise, kGrazingSlope * near / focal_});
+      if (difference > step && !(steps > 1 && onOneSurface(a, b, steps, step))) {
         kinds_(z_a < z_b ? a : b) |= kOccluding;
         kinds_(z_a < z_b ? b : a) |= kOccluded;
       }

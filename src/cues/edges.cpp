@@ -14,15 +14,14 @@
 namespace objectness {
 namespace {
 
-// An edge this many sigma_z over the table, within these limits, is an object's.
-constexpr double kClearanceSigmas = 3.5;
-constexpr double kMinClearance = 0.004, kMaxClearance = 0.015;  // metres
-
-/// Height over the table that noise does not reach. Along the ray noise counts in full, along a grazing plane little.
+/// Height over the table that noise does not reach, as for object points. Noise is along the ray: on a plane seen at a
+/// grazing angle it moves points little in height.
 double tableClearance(const Frame& frame, const Table& table, int u, int v) {
+  const ObjectPointsConfig defaults;
   const Eigen::Vector3d point = frame.points[v * frame.width() + u].cast<double>();
   const double foreshortening = std::abs(table.normal.dot(point)) / point.z();
-  return std::clamp(kClearanceSigmas * table.noise.sigma(point.z()) * foreshortening, kMinClearance, kMaxClearance);
+  return std::clamp(defaults.noise_sigmas * table.noise.sigma(point.z()) * foreshortening, defaults.min_threshold_m,
+                    defaults.max_threshold_m);
 }
 
 cv::Mat_<uchar> grown(const cv::Mat_<uchar>& mask, int radius) {

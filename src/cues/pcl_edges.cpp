@@ -17,8 +17,8 @@ constexpr int kGapSearchPx = 50;
 
 using Detector = pcl::OrganizedEdgeFromNormals<pcl::PointXYZ, pcl::Normal, pcl::Label>;
 
-/// Near or far side of the largest depth difference around (u, v), looking across missing depth. PCL's own answer cannot
-/// be relied on: some versions swap the two kinds.
+/// Near or far side of the largest depth difference around (u, v), looking across missing depth. PCL's own answer
+/// cannot be relied on: some versions swap the two kinds.
 uchar sideOfJump(const Frame& frame, int u, int v) {
   const float z = frame.points[v * frame.width() + u].z();
   float dominant = 0;
@@ -41,8 +41,9 @@ uchar sideOfJump(const Frame& frame, int u, int v) {
 }  // namespace
 
 cv::Mat_<uchar> findPclEdges(const Frame& frame, const Normals& normals) {
-  const pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>(frame.width(), frame.height()));
-  const pcl::PointCloud<pcl::Normal>::Ptr cloud_normals(new pcl::PointCloud<pcl::Normal>(frame.width(), frame.height()));
+  const int width = frame.width(), height = frame.height();
+  const pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>(width, height));
+  const pcl::PointCloud<pcl::Normal>::Ptr cloud_normals(new pcl::PointCloud<pcl::Normal>(width, height));
   for (int i = 0; i < frame.size(); ++i) {
     cloud->points[i].getVector3fMap() = frame.points[i];
     cloud_normals->points[i].getNormalVector3fMap() = normals.normal[i];
@@ -62,15 +63,16 @@ cv::Mat_<uchar> findPclEdges(const Frame& frame, const Normals& normals) {
   std::vector<pcl::PointIndices> by_kind;
   detector.compute(labels, by_kind);
 
-  cv::Mat_<uchar> kinds = cv::Mat_<uchar>::zeros(frame.height(), frame.width());
-  for (int v = 0; v < frame.height(); ++v) {
-    for (int u = 0; u < frame.width(); ++u) {
-      const int pixel = v * frame.width() + u;
+  constexpr int kDepthEdge = Detector::EDGELABEL_OCCLUDING | Detector::EDGELABEL_OCCLUDED;
+  cv::Mat_<uchar> kinds = cv::Mat_<uchar>::zeros(height, width);
+  for (int v = 0; v < height; ++v) {
+    for (int u = 0; u < width; ++u) {
+      const int pixel = v * width + u;
       const auto label = labels.points[pixel].label;
       if (std::isnan(frame.points[pixel].z())) continue;
       if (label & Detector::EDGELABEL_HIGH_CURVATURE) kinds(pixel) |= kHighCurvature;
       if (label & Detector::EDGELABEL_NAN_BOUNDARY) kinds(pixel) |= kBorder;
-      if (label & (Detector::EDGELABEL_OCCLUDING | Detector::EDGELABEL_OCCLUDED)) kinds(pixel) |= sideOfJump(frame, u, v);
+      if (label & kDepthEdge) kinds(pixel) |= sideOfJump(frame, u, v);
     }
   }
   return kinds;

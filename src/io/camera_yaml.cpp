@@ -42,11 +42,14 @@ Camera readCamera(const YAML::Node& root) {
   camera.value.width = width.as<int>();
   camera.value.height = height.as<int>();
   const std::vector<double> p = matrix(root, "projection_matrix", "P"), k = matrix(root, "camera_matrix", "K");
-  if (!p.empty() && p.size() != 12) return bad("has a projection_matrix of " + std::to_string(p.size()) + " numbers, must be 12");
-  if (!k.empty() && k.size() != 9) return bad("has a camera_matrix of " + std::to_string(k.size()) + " numbers, must be 9");
+  if (!p.empty() && p.size() != 12)
+    return bad("has a projection_matrix of " + std::to_string(p.size()) + " numbers, must be 12");
+  if (!k.empty() && k.size() != 9)
+    return bad("has a camera_matrix of " + std::to_string(k.size()) + " numbers, must be 9");
 
   const std::vector<double>& intrinsics = allZero(p) ? k : p;
-  if (allZero(intrinsics)) return bad("has no intrinsics: it needs a projection_matrix or a camera_matrix that is not zero");
+  if (allZero(intrinsics))
+    return bad("has no intrinsics: it needs a projection_matrix or a camera_matrix that is not zero");
   const std::size_t row = intrinsics.size() / 3;
   if (&intrinsics == &k && !allZero(matrix(root, "distortion_coefficients", "D"))) {
     return Camera::error(StatusCode::kBadCamera,

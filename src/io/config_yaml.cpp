@@ -48,14 +48,19 @@ struct ValueText {
 std::string number(double value) { return ValueText()(&value); }
 
 void assign(const ConfigField& field, const YAML::Node& node, Problems& problems) {
-  const bool converted = node.IsScalar() && std::visit(
-      [&](auto* value) { return YAML::convert<std::decay_t<decltype(*value)>>::decode(node, *value); }, field.value);
+  const bool converted =
+      node.IsScalar() &&
+      std::visit([&](auto* value) { return YAML::convert<std::decay_t<decltype(*value)>>::decode(node, *value); },
+                 field.value);
   if (converted) return;
-  const std::string found = node.IsScalar() ? "'" + node.Scalar() + "'" : node.IsNull() ? "empty" : "not a single value";
+  const std::string found = node.IsScalar() ? "'" + node.Scalar() + "'"
+                            : node.IsNull() ? "empty"
+                                            : "not a single value";
   problems.push_back(field.fullName() + " is " + found + ", must be " + std::visit(ExpectedText(), field.value));
 }
 
-void assignByName(std::vector<ConfigField>& fields, const std::string& full_name, const YAML::Node& node, Problems& problems) {
+void assignByName(std::vector<ConfigField>& fields, const std::string& full_name, const YAML::Node& node,
+                  Problems& problems) {
   std::vector<std::string> names;
   for (const ConfigField& field : fields) {
     if (field.fullName() == full_name) return assign(field, node, problems);
@@ -150,9 +155,9 @@ std::string listParameters() {
   std::ostringstream text;
   for (const ConfigField& field : configFields(defaults)) {
     const bool is_bool = std::holds_alternative<bool*>(field.value);
-    text << field.fullName() << '\t' << std::visit(TypeName(), field.value) << '\t' << std::visit(ValueText(), field.value)
-         << '\t' << (is_bool ? "false" : number(field.range.min)) << '\t' << (is_bool ? "true" : number(field.range.max))
-         << '\t' << field.description << '\n';
+    text << field.fullName() << '\t' << std::visit(TypeName(), field.value) << '\t'
+         << std::visit(ValueText(), field.value) << '\t' << (is_bool ? "false" : number(field.range.min)) << '\t'
+         << (is_bool ? "true" : number(field.range.max)) << '\t' << field.description << '\n';
   }
   return text.str();
 }

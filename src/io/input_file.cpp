@@ -21,7 +21,8 @@ std::string inputName(const std::string& path) {
   return isPcd(full) && !fs::is_directory(full, error) ? full.stem().string() : full.filename().string();
 }
 
-Result<Frame> loadInput(const std::string& path, const std::optional<PinholeCamera>& camera, const InputConfig& config) {
+Result<Frame> loadInput(const std::string& path, const std::optional<PinholeCamera>& camera,
+                        const InputConfig& config) {
   std::error_code error;
   const fs::file_status type = fs::status(path, error);
   if (fs::is_directory(type)) return loadSceneFolder(path, camera, config);

@@ -13,7 +13,7 @@ namespace objectness {
 namespace {
 
 constexpr double kSegmentOpacity = 0.5;
-constexpr double kNearPlane_m = 0.05;  // what lies nearer cannot be projected
+constexpr double kNearPlane_m = 0.05;   // what lies nearer cannot be projected
 constexpr int kReferenceWidthPx = 640;  // lines and letters grow with the image
 
 cv::Vec3b bgr(std::size_t rank) {
@@ -56,7 +56,8 @@ void paintSegment(const Segment& segment, const cv::Vec3b& color, cv::Mat_<cv::V
 }
 
 /// The part of a 3D line before the camera, on the image.
-std::optional<std::pair<cv::Point, cv::Point>> projectLine(const PinholeCamera& camera, Eigen::Vector3d a, Eigen::Vector3d b) {
+std::optional<std::pair<cv::Point, cv::Point>> projectLine(const PinholeCamera& camera, Eigen::Vector3d a,
+                                                           Eigen::Vector3d b) {
   if (a.z() < kNearPlane_m && b.z() < kNearPlane_m) return {};
   for (Eigen::Vector3d* end : {&a, &b}) {
     const Eigen::Vector3d other = end == &a ? b : a;
@@ -71,7 +72,8 @@ std::optional<std::pair<cv::Point, cv::Point>> projectLine(const PinholeCamera& 
   return std::make_pair(cv::Point(from), cv::Point(to));
 }
 
-void drawBox(const PinholeCamera& camera, const OrientedBox& box, const cv::Vec3b& color, int thickness, cv::Mat& image) {
+void drawBox(const PinholeCamera& camera, const OrientedBox& box, const cv::Vec3b& color, int thickness,
+             cv::Mat& image) {
   const Eigen::Vector3d eye = box.T_camera_box.inverse().translation(), half = 0.5 * box.size_m;
   // Edge: along `axis`, at the sides (-1 or 1) of the two other axes. It is hidden when neither of its faces is seen.
   for (int axis = 0; axis < 3; ++axis) {
@@ -102,8 +104,10 @@ void drawLabel(const Segment& segment, int label, double scale, cv::Mat& image) 
   const double count = static_cast<double>(segment.pixels.size());
   const cv::Point at(static_cast<int>(u / count - 6 * scale), static_cast<int>(v / count + 6 * scale));
   const int thickness = std::max(1, static_cast<int>(scale));
-  cv::putText(image, std::to_string(label), at, cv::FONT_HERSHEY_SIMPLEX, 0.5 * scale, {0, 0, 0}, 3 * thickness, cv::LINE_AA);
-  cv::putText(image, std::to_string(label), at, cv::FONT_HERSHEY_SIMPLEX, 0.5 * scale, {255, 255, 255}, thickness, cv::LINE_AA);
+  cv::putText(image, std::to_string(label), at, cv::FONT_HERSHEY_SIMPLEX, 0.5 * scale, {0, 0, 0}, 3 * thickness,
+              cv::LINE_AA);
+  cv::putText(image, std::to_string(label), at, cv::FONT_HERSHEY_SIMPLEX, 0.5 * scale, {255, 255, 255}, thickness,
+              cv::LINE_AA);
 }
 
 }  // namespace
@@ -116,7 +120,8 @@ cv::Mat_<cv::Vec3b> drawOverlay(const Frame& frame, const Segmentation& result) 
   for (std::size_t k = 0; k < result.segments.size(); ++k) {
     drawBox(frame.camera, result.segments[k].box, bgr(k), thickness, image);
   }
-  for (std::size_t k = 0; k < result.segments.size(); ++k) drawLabel(result.segments[k], static_cast<int>(k) + 2, scale, image);
+  for (std::size_t k = 0; k < result.segments.size(); ++k)
+    drawLabel(result.segments[k], static_cast<int>(k) + 2, scale, image);
   return image;
 }
 

@@ -47,7 +47,8 @@ float coordinate(const pcl::PCLPointCloud2& cloud, std::size_t point, const pcl:
 Result<RawCloud> toRawCloud(const pcl::PCLPointCloud2& cloud) {
   const pcl::PCLPointField* axes[3] = {findField(cloud, "x"), findField(cloud, "y"), findField(cloud, "z")};
   for (const pcl::PCLPointField* axis : axes) {
-    if (axis && (axis->datatype == pcl::PCLPointField::FLOAT32 || axis->datatype == pcl::PCLPointField::FLOAT64)) continue;
+    if (axis && (axis->datatype == pcl::PCLPointField::FLOAT32 || axis->datatype == pcl::PCLPointField::FLOAT64))
+      continue;
     return Result<RawCloud>::error(StatusCode::kBadInput, "has no floating-point fields x, y and z");
   }
   const pcl::PCLPointField* color = findField(cloud, "rgb") ? findField(cloud, "rgb") : findField(cloud, "rgba");

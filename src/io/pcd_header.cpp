@@ -123,10 +123,12 @@ Status checkPcdHeader(const std::string& path) {
   for (std::size_t i = 0; i < header.entries.at("FIELDS").size(); ++i) {
     const std::uint64_t size_i = header.perField("SIZE", i), count = header.perField("COUNT", i);
     const bool known = size_i == 1 || size_i == 2 || size_i == 4 || size_i == 8;
-    if (!known || count < 1 || count > kMaxPointBytes) return bad("has a SIZE or COUNT that is wrong or missing in its header");
+    if (!known || count < 1 || count > kMaxPointBytes)
+      return bad("has a SIZE or COUNT that is wrong or missing in its header");
     point_bytes += size_i * count;
   }
-  if (point_bytes == 0 || point_bytes > kMaxPointBytes) return bad("has fields of " + std::to_string(point_bytes) + " bytes a point");
+  if (point_bytes == 0 || point_bytes > kMaxPointBytes)
+    return bad("has fields of " + std::to_string(point_bytes) + " bytes a point");
   return checkDataSize(header, points, point_bytes, size - header.data_offset, file);
 }
 

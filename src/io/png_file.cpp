@@ -25,7 +25,8 @@ struct PngHeader {
   int channels() const { return color_type == 2 ? 3 : color_type == 4 ? 2 : color_type == 6 ? 4 : 1; }
   std::uint64_t bytes() const { return std::uint64_t{width} * height * channels() * bits / 8; }
   std::string text() const {
-    return std::to_string(bits) + "-bit with " + std::to_string(channels()) + (channels() == 1 ? " channel" : " channels");
+    return std::to_string(bits) + "-bit with " + std::to_string(channels()) +
+           (channels() == 1 ? " channel" : " channels");
   }
 };
 
@@ -48,7 +49,8 @@ Result<PngHeader> checkPng(const std::string& bytes) {
     const std::string type = bytes.substr(at + 4, 4);
     boost::crc_32_type checksum;
     checksum.process_bytes(bytes.data() + at + 4, length + 4);
-    if (checksum.checksum() != bigEndian(bytes, at + 8 + length)) return bad("is damaged (wrong checksum): make or copy it again");
+    if (checksum.checksum() != bigEndian(bytes, at + 8 + length))
+      return bad("is damaged (wrong checksum): make or copy it again");
     if (type == "IHDR" && length == 13) {
       header.value.width = bigEndian(bytes, at + 8);
       header.value.height = bigEndian(bytes, at + 12);
@@ -79,12 +81,14 @@ Result<cv::Mat> readPng(const std::string& path, PngKind kind) {
                                                    std::to_string(header.height) + " pixels, which it cannot hold");
   }
   if (kind == PngKind::kDepth && (header.bits != 16 || header.channels() != 1)) {
-    return Image::error(StatusCode::kBadInput,
-                        "is " + header.text() + ", must be 16-bit with 1 channel: depth in millimetres, 0 where there is none");
+    return Image::error(
+        StatusCode::kBadInput,
+        "is " + header.text() + ", must be 16-bit with 1 channel: depth in millimetres, 0 where there is none");
   }
   try {
-    cv::Mat image = cv::imdecode(cv::Mat(1, static_cast<int>(file.value.size()), CV_8UC1, const_cast<char*>(file.value.data())),
-                                 kind == PngKind::kDepth ? cv::IMREAD_UNCHANGED : cv::IMREAD_COLOR);
+    cv::Mat image =
+        cv::imdecode(cv::Mat(1, static_cast<int>(file.value.size()), CV_8UC1, const_cast<char*>(file.value.data())),
+                     kind == PngKind::kDepth ? cv::IMREAD_UNCHANGED : cv::IMREAD_COLOR);
     if (!image.empty()) return {{}, image};
   } catch (const cv::Exception&) {
     // The reason is in OpenCV's terms, of no help to a user.

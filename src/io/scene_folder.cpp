@@ -16,8 +16,8 @@ Result<Frame> loadSceneFolder(const std::string& folder, const std::optional<Pin
   const auto file = [&](const char* name) { return (fs::path(folder) / name).string(); };
   std::error_code ignored;
   if (!fs::exists(file("depth.png"), ignored)) {
-    return Result<Frame>::error(StatusCode::kBadInput,
-                                "holds no depth.png: a scene folder has depth.png (16-bit millimetres) and camera.yaml");
+    return Result<Frame>::error(
+        StatusCode::kBadInput, "holds no depth.png: a scene folder has depth.png (16-bit millimetres) and camera.yaml");
   }
   const Result<cv::Mat> depth = readPng(file("depth.png"), PngKind::kDepth);
   if (!depth.ok()) return Result<Frame>::error(about("depth.png", depth.status));

@@ -14,10 +14,25 @@ constexpr double kFloorThicknessM = 0.0012;  // a bowl's floor lies higher than 
 constexpr double kAroundM = 0.05;            // where the table around a thing is measured
 constexpr int kMinAroundPixels = 50;
 
-/// An enclosed region: connected pixels that are no thing.
+constexpr float kSameRimM = 0.01f;
+
+/// Connected pixels that are no thing.
 struct Region {
-  int pixels = 0, neighbour = 0;  // neighbour: the thing it touches, -1 = several or the image border
+  int pixels = 0;
+  bool open = false;        // not enclosed: reaches the image border or touches more than two things
+  int things[2] = {0, 0};   // that it touches; 0 = none
   cv::Rect box;
+
+  void touches(int thing) {
+    if (thing == things[0] || thing == things[1]) return;
+    if (things[0] == 0) {
+      things[0] = thing;
+    } else if (things[1] == 0) {
+      things[1] = thing;
+    } else {
+      open = true;
+    }
+  }
 };
 
 cv::Point cellOf(const Eigen::Vector2f& foot, const TableExtent& extent) {
@@ -70,7 +85,7 @@ void addHollowFloors(const Frame& frame, const Table& table, const HeightMap& ma
     region.box = cv::Rect(stats.at<int>(k, cv::CC_STAT_LEFT), stats.at<int>(k, cv::CC_STAT_TOP),
                           stats.at<int>(k, cv::CC_STAT_WIDTH), stats.at<int>(k, cv::CC_STAT_HEIGHT));
     const bool at_border = region.box.x == 0 || region.box.y == 0 || region.box.br().x == width || region.box.br().y == height;
-    if (at_border || region.pixels < kMinFloorPixels) region.neighbour = -1;
+    region.open = at_border || region.pixels < kMinFloorPixels;
   }
   for (int v = 0; v < height; ++v) {
     for (int u = 0; u < width; ++u) {
@@ -78,30 +93,42 @@ void addHollowFloors(const Frame& frame, const Table& table, const HeightMap& ma
       if (thing == 0) continue;
       for (const cv::Point q : {cv::Point(u - 1, v), cv::Point(u + 1, v), cv::Point(u, v - 1), cv::Point(u, v + 1)}) {
         if (q.x < 0 || q.y < 0 || q.x >= width || q.y >= height || things.label(q) == thing) continue;
-        Region& region = regions[labels(q)];
-        if (region.neighbour == 0) region.neighbour = thing;
-        if (region.neighbour != thing) region.neighbour = -1;
+        if (labels(q) > 0) regions[labels(q)].touches(thing);
       }
     }
   }
+  // A bowl often falls into the outside of its front and the inside of its back: two things with one rim.
+  std::vector<float> rim(things.count + 1, 0);
+  for (int i = 0; i < frame.size(); ++i) {
+    float& height_of_rim = rim[things.label.ptr<int>()[i]];
+    if (things.label.ptr<int>()[i] > 0) height_of_rim = std::max(height_of_rim, map.height_m.ptr<float>()[i]);
+  }
   std::vector<bool> hollow(things.count + 1, false);
   for (int k = 1; k < count; ++k) {
-    if (regions[k].neighbour > 0) hollow[regions[k].neighbour] = true;
+    Region& region = regions[k];
+    if (region.things[1] > 0 && std::abs(rim[region.things[0]] - rim[region.things[1]]) > kSameRimM) region.open = true;
+    if (region.things[0] == 0) region.open = true;
+    if (!region.open) hollow[region.things[0]] = hollow[region.things[1]] = true;
   }
-  std::vector<std::vector<cv::Point>> footprints(things.count + 1);  // cells of the table's extent
+  hollow[0] = false;
+  std::vector<std::vector<cv::Point>> footprints(things.count + 1);  // their convex hulls, in cells of the table's extent
   for (int i = 0; i < frame.size(); ++i) {
     const int thing = things.label.ptr<int>()[i];
     if (hollow[thing]) footprints[thing].push_back(cellOf(axes * frame.points[i], table.extent));
   }
-  std::vector<cv::Mat_<uchar>> hulls(things.count + 1);
-  for (int thing = 1; thing <= things.count; ++thing) {
-    if (hollow[thing]) hulls[thing] = convexHullRaster(footprints[thing], table.extent.cells.size());
+  for (std::vector<cv::Point>& footprint : footprints) {
+    const std::vector<cv::Point> cells = std::move(footprint);
+    footprint.clear();
+    if (!cells.empty()) cv::convexHull(cells, footprint);
   }
 
   for (int k = 1; k < count; ++k) {
     const Region& region = regions[k];
-    if (region.neighbour <= 0) continue;
-    const cv::Mat_<uchar>& hull = hulls[region.neighbour];
+    if (region.open) continue;
+    std::vector<cv::Point> footprint = footprints[region.things[0]];
+    const std::vector<cv::Point>& second = footprints[region.things[1]];
+    footprint.insert(footprint.end(), second.begin(), second.end());
+    const cv::Mat_<uchar> hull = convexHullRaster(footprint, table.extent.cells.size());
     std::vector<cv::Point> floor;
     std::vector<float> heights;
     double depth = 0;

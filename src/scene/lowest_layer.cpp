@@ -17,7 +17,7 @@ constexpr double kMinLayerShare = 0.12;      // of the cells; less is a dent or 
 constexpr double kMaxValley = 0.5;           // cells between two layers, per cell of the smaller layer
 constexpr float kBinM = 0.001f;
 
-/// Mean points of the plane's grid cells: a tenth of the samples' noise, and every part of the table counts alike.
+/// A point for each cell of a grid on the plane: less noisy than the samples, and every part of the table counts alike.
 struct Patch {
   Eigen::Vector3f point;
   float sigma_m;
@@ -51,8 +51,7 @@ std::vector<Patch> patchesNear(const SurfaceSamples& view, const Plane& plane) {
   return patches;
 }
 
-/// Fits to the patches whose height over the plane is within `band` of `centre`, a few times over; a patch on the layer
-/// above is kept out by the band's asymmetry in count, not by luck: the band shrinks.
+/// Fits to the patches whose height over the plane is within `band` of `centre`, a few times over.
 Plane fitLayer(const std::vector<Patch>& patches, Plane plane, float centre, float band) {
   for (int round = 0; round < kRounds; ++round) {
     PlaneFitter fitter;

@@ -25,10 +25,9 @@ constexpr double kNormalView = 40000.0;
 
 constexpr double kNearM = 1.3, kFarM = 3.3;  // full weight of a table up to here, next to none from there
 constexpr double kMinDistanceWeight = 0.05;
-constexpr double kFullAreaM2 = 0.10;
+constexpr double kFullAreaM2 = 0.08;
 constexpr double kEnoughInliers = 1500;
 constexpr double kBelowWeight = 3.0;
-constexpr double kEnoughSeen = 0.3;     // of the extent; the rest of a real table hides under things and behind them
 
 /// A connected group of samples over the plane; most numbers are of those over the extent.
 struct Group {
@@ -43,11 +42,12 @@ TableEvidence judgeTable(const SurfaceSamples& view, const Plane& plane, double 
   TableEvidence evidence;
   const PlaneGrid grid = makePlaneGrid(view, plane, kCellM);
   if (grid.empty()) return evidence;
-  const cv::Mat_<uchar> extent = extentOf(grid) == kCore;
-  cv::Mat_<uchar> core;  // less a rim, where neighbours of the table show
-  cv::erode(extent, core, cv::Mat::ones(3, 3, CV_8U));
-  evidence.seen = double(cv::countNonZero(grid.on_plane)) / std::max(1, cv::countNonZero(extent));
-  evidence.area_m2 = cv::countNonZero(extent) * kCellM * kCellM;
+  const cv::Mat_<uchar> core = extentOf(grid) == kCore;
+  cv::Mat_<uchar> inner;  // less a rim, where neighbours of the table show
+  cv::erode(core, inner, cv::Mat::ones(3, 3, CV_8U));
+  const double cell_area = kCellM * kCellM;
+  evidence.area_m2 = cv::countNonZero(core) * cell_area;
+  evidence.seen_m2 = cv::countNonZero(grid.on_plane & core) * cell_area;
   const double scale = kNormalView / std::max<std::size_t>(1, view.samples.size());
   evidence.inliers = grid.samples_on_plane * scale;
 
@@ -74,7 +74,7 @@ TableEvidence judgeTable(const SurfaceSamples& view, const Plane& plane, double 
     } else if (!inside) {
       continue;
     } else if (height < -sample.tolerance()) {
-      ++below;
+      below += inner(cell) != 0;
     } else {
       depths.push_back(sample.point.z());
     }
@@ -119,10 +119,10 @@ TableEvidence judgeTable(const SurfaceSamples& view, const Plane& plane, double 
 double TableEvidence::score(const Plane& plane) const {
   const double orientation = 0.9 - 0.1 * plane.normal.y();  // upwards in the image is likely, nothing is excluded
   const double near = std::max(kMinDistanceWeight, std::min(1.0, (kFarM - distance_m) / (kFarM - kNearM)));
-  const double area = std::pow(std::min(1.0, area_m2 / kFullAreaM2), 2);  // leaves out the tops and fronts of boxes
+  const double area = std::pow(std::min(1.0, seen_m2 / kFullAreaM2), 2);  // leaves out the tops and fronts of boxes
   const double carries = 0.3 + std::log2(1 + carried / 20.0);
   return orientation * near * area * carries / (1 + kBelowWeight * below) *
-         std::min(1.0, seen / kEnoughSeen) * std::sqrt(std::min(1.0, inliers / kEnoughInliers));
+         std::sqrt(std::min(1.0, inliers / kEnoughInliers));
 }
 
 }  // namespace objectness

@@ -35,15 +35,16 @@ std::vector<Body> demoBodies(std::uint32_t seed) {
     cv::Vec3b color;
   };
   const std::vector<Item> items{
-      {Box{{0.19, 0.065, 0.24}}, -0.22, 0.20, 25, {40, 110, 220}},   // cereals
-      {Box{{0.16, 0.11, 0.07}}, -0.02, 0.13, -15, {190, 120, 50}},   // partly behind the can
+      {Box{{0.19, 0.065, 0.24}}, -0.22, 0.20, 25, {40, 110, 220}},  // cereals
+      {Box{{0.16, 0.11, 0.07}}, -0.02, 0.13, -15, {190, 120, 50}},  // partly behind the can
       {Box{{0.10, 0.07, 0.05}}, -0.27, -0.08, 40, {70, 170, 80}},
-      {Cylinder{0.034, 0.122}, 0.075, 0.0, 0, {50, 50, 200}},        // can
-      {Cylinder{0.045, 0.20}, 0.30, 0.24, 0, {190, 190, 200}},       // jar
-      {Bowl{0.085, 0.065, 0.005, 0.075}, 0.25, -0.03, 0, {200, 180, 90}},
+      {Cylinder{0.034, 0.122}, 0.075, 0.0, 0, {50, 50, 200}},   // can
+      {Cylinder{0.045, 0.20}, 0.30, 0.24, 0, {190, 190, 200}},  // jar
+      {Bowl{0.09, 0.05, 0.005, 0.08}, 0.25, -0.03, 0, {200, 180, 90}},
   };
   for (const Item& item : items) {
-    const double x = item.x + jitter(kJitter_m), y = item.y + jitter(kJitter_m), yaw = item.yaw_deg + jitter(kJitter_deg);
+    const double x = item.x + jitter(kJitter_m), y = item.y + jitter(kJitter_m),
+                 yaw = item.yaw_deg + jitter(kJitter_deg);
     bodies.push_back(place(item.shape, x, y, 0, yaw, item.color, 20 + 10 * static_cast<int>(bodies.size() - 2)));
   }
   return bodies;
@@ -58,6 +59,8 @@ Eigen::Isometry3d demoCameraPose() {
   return pose;
 }
 
-SceneImages makeDemoScene(std::uint32_t seed) { return takePicture(demoBodies(seed), demoCameraPose(), DepthSensor(), seed); }
+SceneImages makeDemoScene(std::uint32_t seed) {
+  return takePicture(demoBodies(seed), demoCameraPose(), DepthSensor(), seed);
+}
 
 }  // namespace objectness::sim

@@ -48,8 +48,8 @@ double measure(const DepthSensor& sensor, double z, double noise) {
 
 }  // namespace
 
-SceneImages takePicture(const std::vector<Body>& bodies, const Eigen::Isometry3d& T_world_camera, const DepthSensor& sensor,
-                        std::uint32_t seed) {
+SceneImages takePicture(const std::vector<Body>& bodies, const Eigen::Isometry3d& T_world_camera,
+                        const DepthSensor& sensor, std::uint32_t seed) {
   const PinholeCamera& camera = sensor.camera;
   const cv::Size size(camera.width, camera.height);
   SceneImages picture{camera, cv::Mat_<ushort>(size, ushort{0}), cv::Mat_<cv::Vec3b>(size, cv::Vec3b(0, 0, 0)),

@@ -8,11 +8,13 @@
 
 int main(int argc, char** argv) {
   namespace po = boost::program_options;
-  po::options_description options("make_demo_scene --out DIR [--seed N]\n\nWrites a simulated table with boxes, cylinders and a bowl: "
-                                  "depth.png, color.png, camera.yaml, labels.png (truth)");
+  po::options_description options(
+      "make_demo_scene --out DIR [--seed N]\n\nWrites a simulated table with boxes, cylinders and a bowl: "
+      "depth.png, color.png, camera.yaml, labels.png (truth)");
   auto add = options.add_options();
   add("out", po::value<std::string>()->value_name("DIR")->required(), "the scene folder, made when missing");
-  add("seed", po::value<std::uint32_t>()->value_name("N")->default_value(1), "moves the objects a little, makes the noise");
+  add("seed", po::value<std::uint32_t>()->value_name("N")->default_value(1),
+      "moves the objects a little, makes the noise");
   add("help,h", "print this");
   try {
     po::variables_map values;

@@ -44,7 +44,8 @@ class Progress {
 
 void printError(const std::string& message) {
   std::string line = "segment: " + message;
-  std::replace_if(line.begin(), line.end(), [](unsigned char c) { return c < ' '; }, ' ');
+  std::replace_if(
+      line.begin(), line.end(), [](unsigned char c) { return c < ' '; }, ' ');
   std::cerr << line << std::endl;
 }
 
@@ -76,7 +77,9 @@ int run(const SegmentOptions& options) {
   std::error_code error, ignored;
   fs::create_directories(options.out, error);
   if (!fs::is_directory(options.out, ignored) || access(options.out.c_str(), W_OK) != 0) {
-    const std::string reason = error ? error.message() : fs::is_directory(options.out, ignored) ? "no permission to write" : "it is a file";
+    const std::string reason = error                                    ? error.message()
+                               : fs::is_directory(options.out, ignored) ? "no permission to write"
+                                                                        : "it is a file";
     printError("--out " + options.out + ": cannot write there: " + reason);
     return kSomeFailed;
   }

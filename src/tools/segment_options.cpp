@@ -21,7 +21,8 @@ constexpr const char* kIntroduction =
     "\n"
     "  segment [OPTION...] --out DIR INPUT...\n"
     "\n"
-    "INPUT is a scene folder (depth.png: 16-bit millimetres, camera.yaml: as ROS camera_info, optional color.png) or a\n"
+    "INPUT is a scene folder (depth.png: 16-bit millimetres, camera.yaml: as ROS camera_info, optional color.png) or "
+    "a\n"
     ".pcd file. For each, DIR/NAME/labels.png (0 nothing, 1 table, 2 and above the objects, best first) and\n"
     "DIR/NAME/objects.json are written; NAME is the folder's name, or the file's without .pcd.\n"
     "\n";
@@ -32,7 +33,8 @@ constexpr const char* kExamples =
     "  segment --pictures --out results scene\n"
     "  segment --out results --camera camera.yaml list_of_points.pcd\n"
     "  segment --out results --set search.angle_step_deg=10 --set filter.threshold=0.8 scenes/*\n"
-    "  segment --print-config --set volume.min_extent_m=1 > preset.yaml; segment --config preset.yaml --out results scene\n"
+    "  segment --print-config --set volume.min_extent_m=1 > preset.yaml; segment --config preset.yaml --out results "
+    "scene\n"
     "\n"
     "Exit status: 0 all inputs done (no object on the table is a result), 1 some input could not be used, or its\n"
     "results not written, 2 wrong command line.\n";
@@ -44,7 +46,8 @@ Result<SegmentOptions> bad(const std::string& message) {
 po::options_description shownOptions() {
   po::options_description options("Options");
   auto add = options.add_options();
-  add("method", po::value<std::string>()->value_name("NAME")->default_value("paper"), "the method; there is only 'paper'");
+  add("method", po::value<std::string>()->value_name("NAME")->default_value("paper"),
+      "the method; there is only 'paper'");
   add("config", po::value<std::string>()->value_name("FILE.yaml"), "preset of parameters (group: {field: value})");
   add("set", po::value<std::vector<std::string>>()->value_name("NAME=VALUE")->composing(),
       "set a parameter after the preset, as group.field=value; may be repeated, and more may follow each");
@@ -82,7 +85,9 @@ bool isAssignment(const std::string& text) {
 }
 
 Result<SegmentOptions> interpret(const po::variables_map& values) {
-  const auto text = [&](const char* name) { return values.count(name) ? values[name].as<std::string>() : std::string(); };
+  const auto text = [&](const char* name) {
+    return values.count(name) ? values[name].as<std::string>() : std::string();
+  };
   const auto list = [&](const char* name) {
     return values.count(name) ? values[name].as<std::vector<std::string>>() : std::vector<std::string>();
   };
@@ -108,7 +113,8 @@ Result<SegmentOptions> interpret(const po::variables_map& values) {
   std::vector<std::string> assignments = list("set");
   std::vector<std::string> inputs = list("input");
   if (!assignments.empty()) {
-    const auto first = std::stable_partition(inputs.begin(), inputs.end(), [](const auto& i) { return !isAssignment(i); });
+    const auto first =
+        std::stable_partition(inputs.begin(), inputs.end(), [](const auto& i) { return !isAssignment(i); });
     std::move(first, inputs.end(), std::back_inserter(assignments));
     inputs.erase(first, inputs.end());
   }

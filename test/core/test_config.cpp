@@ -39,7 +39,8 @@ TEST(Config, DefaultsAreValid) { EXPECT_TRUE(validate(Config()).empty()); }
 TEST(Config, FullNamesAreUnique) {
   Config config;
   std::set<std::string> names;
-  for (const ConfigField& field : configFields(config)) EXPECT_TRUE(names.insert(field.fullName()).second) << field.fullName();
+  for (const ConfigField& field : configFields(config))
+    EXPECT_TRUE(names.insert(field.fullName()).second) << field.fullName();
   EXPECT_GT(names.size(), 40u);
 }
 
@@ -77,7 +78,8 @@ TEST(Config, ContradictionsAreNamed) {
   EXPECT_TRUE(mentions(problemsOf([](Config& c) { c.search.corner_step_m = 0.025; }),
                        "search.corner_step_m is 0.025, must be a whole multiple of volume.voxel_m, which is 0.01"));
   EXPECT_TRUE(mentions(problemsOf([](Config& c) { c.volume.voxel_m = 0.008; }), "search.min_size_m"));
-  EXPECT_TRUE(mentions(problemsOf([](Config& c) { c.selection.end_temperature = 2000; }), "selection.start_temperature"));
+  EXPECT_TRUE(
+      mentions(problemsOf([](Config& c) { c.selection.end_temperature = 2000; }), "selection.start_temperature"));
   EXPECT_TRUE(mentions(problemsOf([](Config& c) { c.table.given = true; }), "table.given_a"));
   EXPECT_TRUE(problemsOf([](Config& c) { c.volume.voxel_m = 0.005; }).empty());
 }
@@ -85,7 +87,8 @@ TEST(Config, ContradictionsAreNamed) {
 TEST(ConfigYaml, LaysAPresetOverTheConfiguration) {
   Config config;
   config.runtime.seed = 7;
-  const Status status = load("search:\n  angle_step_deg: 10\nsegments: {follow_superpixels: off, min_pixels: 5}\n", config);
+  const Status status =
+      load("search:\n  angle_step_deg: 10\nsegments: {follow_superpixels: off, min_pixels: 5}\n", config);
   ASSERT_TRUE(status.ok()) << status.message;
   EXPECT_EQ(config.search.angle_step_deg, 10);
   EXPECT_FALSE(config.segments.follow_superpixels);
@@ -108,7 +111,8 @@ TEST(ConfigYaml, WritesWhatItReads) {
 
 TEST(ConfigYaml, NamesEveryProblemAndChangesNothing) {
   const std::vector<std::pair<std::string, std::string>> cases{
-      {"serach: {angle_step_deg: 10}", "there is no parameter serach.angle_step_deg (did you mean search.angle_step_deg?)"},
+      {"serach: {angle_step_deg: 10}",
+       "there is no parameter serach.angle_step_deg (did you mean search.angle_step_deg?)"},
       {"search: {angle_step: 10}", "did you mean search.angle_step_deg?"},
       {"saerch: 3", "there is no group saerch (did you mean search?)"},
       {"search: 3", "group search must hold"},

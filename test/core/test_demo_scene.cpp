@@ -11,9 +11,10 @@
 using namespace objectness;
 using namespace objectness::sim;
 using Eigen::Vector3d;
+namespace sim = objectness::sim;
 
 TEST(Shapes, BoxAndCylinderFromAboveAndBeside) {
-  const Box box{{0.2, 0.4, 0.3}};
+  const sim::Box box{{0.2, 0.4, 0.3}};
   const auto top = intersect(box, {{0.05, 0.1, 2}, {0, 0, -1}});
   ASSERT_TRUE(top);
   EXPECT_NEAR(top->t, 1.7, 1e-12);
@@ -47,7 +48,7 @@ TEST(Shapes, BowlIsHollow) {
 }
 
 TEST(DepthSensor, NoiseAndStepsOfAWall) {
-  Body wall{Box{{20, 0.1, 20}}, Eigen::Isometry3d::Identity(), {200, 200, 200}, 1};
+  Body wall{sim::Box{{20, 0.1, 20}}, Eigen::Isometry3d::Identity(), {200, 200, 200}, 1};
   wall.T_world_body.translation() = Vector3d(0, 1.55, -10);  // its face is at y = 1.5
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.linear() << 1, 0, 0, 0, 0, 1, 0, -1, 0;
@@ -65,7 +66,9 @@ TEST(DepthSensor, NoiseAndStepsOfAWall) {
   const double step = 1500.0 * 1.5 / (525 * 0.075) / 8;  // 7.1 mm
   ushort last = 0;
   for (const auto& [depth, pixels] : histogram) {
-    if (last) EXPECT_NEAR(depth - last, step, 1.1) << pixels << " pixels";
+    if (last > 0) {
+      EXPECT_NEAR(depth - last, step, 1.1) << pixels << " pixels";
+    }
     last = depth;
   }
 }
@@ -114,7 +117,8 @@ TEST(DemoScene, EveryObjectIsSegmented) {
     double best = 0;
     for (std::size_t k = 0; k < result.segments.size(); ++k) {
       const cv::Mat found = result.labels == static_cast<ushort>(k + 2), truth = scene.true_labels == label;
-      best = std::max(best, 2.0 * cv::countNonZero(found & truth) / (cv::countNonZero(found) + cv::countNonZero(truth)));
+      best =
+          std::max(best, 2.0 * cv::countNonZero(found & truth) / (cv::countNonZero(found) + cv::countNonZero(truth)));
     }
     EXPECT_GT(best, 0.85) << "Dice of object " << label;
   }

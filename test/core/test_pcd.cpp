@@ -113,14 +113,17 @@ TEST_F(PcdFile, BadFiles) {
 TEST_F(PcdFile, CompressedDataThatContradictTheHeader) {
   const std::uint32_t sizes[2] = {100, 4000000000u};
   const std::string lie(reinterpret_cast<const char*>(sizes), 8);
-  expectError(header("WIDTH 32\nHEIGHT 24", "768", "binary_compressed") + lie + std::string(100, 'x'), "contradicts itself");
+  expectError(header("WIDTH 32\nHEIGHT 24", "768", "binary_compressed") + lie + std::string(100, 'x'),
+              "contradicts itself");
 }
 
 TEST_F(PcdFile, GarbageNeitherThrowsNorIsAccepted) {
   std::string text = data(true);
   for (std::size_t i = 7; i < text.size(); i += 13) text[i] = '?';
   const Result<RawCloud> cloud = load(header("WIDTH 32\nHEIGHT 24", "768", "ascii") + text);
-  if (cloud.ok()) EXPECT_EQ(cloud.value.points.size(), 768u);
+  if (cloud.ok()) {
+    EXPECT_EQ(cloud.value.points.size(), 768u);
+  }
   std::string missing = header("WIDTH 32\nHEIGHT 24", "768", "binary") + data(false);
   missing.replace(missing.find("x y z"), 5, "a b c");
   expectError(missing, "has no floating-point fields x, y and z");

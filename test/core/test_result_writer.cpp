@@ -33,7 +33,8 @@ struct Sample {
     segment.objectness = 1.25;
     segment.cues = {0.5, 0.25, 0.75, 0.125};
     segment.box.size_m = {0.1, 0.2, 0.3};
-    segment.box.T_camera_box.translate(Eigen::Vector3d(0, 0, 1)).rotate(Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()));
+    segment.box.T_camera_box.translate(Eigen::Vector3d(0, 0, 1))
+        .rotate(Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()));
     for (int u = 45; u < 55; ++u) {
       segment.pixels.push_back(50 * 100 + u);
       result.labels(50, u) = 2;
@@ -60,7 +61,9 @@ TEST(ResultWriter, JsonHoldsEverything) {
   EXPECT_NEAR(object["orientation"][2], std::sqrt(0.5), 1e-12);
   EXPECT_NEAR(object["orientation"][3], std::sqrt(0.5), 1e-12);
   EXPECT_EQ(object["objectness"], 1.25);
-  EXPECT_EQ(object["cues"], nlohmann::json({{"edge_density", 0.5}, {"outer_edges", 0.25}, {"straddling", 0.75}, {"free_space", 0.125}}));
+  EXPECT_EQ(
+      object["cues"],
+      nlohmann::json({{"edge_density", 0.5}, {"outer_edges", 0.25}, {"straddling", 0.75}, {"free_space", 0.125}}));
   EXPECT_EQ(object["points"], 10);
   EXPECT_EQ(json["report"]["boxes_sampled"], 123456789012);
   EXPECT_EQ(json["report"]["timings_ms"]["total"], 2.5);
@@ -115,7 +118,8 @@ TEST(Overlay, ColoursTheSegmentAndDrawsItsBox) {
 
 TEST(Overlay, BoxesBesideAndBehindTheCamera) {
   Sample sample;
-  for (const Eigen::Vector3d& at : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0, 0, -2), Eigen::Vector3d(1e6, 0, 1e-3)}) {
+  for (const Eigen::Vector3d& at :
+       {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0, 0, -2), Eigen::Vector3d(1e6, 0, 1e-3)}) {
     sample.result.segments[0].box.T_camera_box.translation() = at;
     EXPECT_EQ(drawOverlay(sample.frame, sample.result).size(), cv::Size(100, 100));
   }

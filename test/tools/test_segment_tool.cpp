@@ -8,6 +8,8 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 using namespace objectness_test;
 
@@ -64,7 +66,8 @@ TEST_F(SegmentTool, WritesTheResults) {
   double highest = 0;
   cv::minMaxLoc(labels, nullptr, &highest);
   EXPECT_EQ(highest, json["objects"].size() + 1.0);
-  for (const auto& object : json["objects"]) EXPECT_EQ(cv::countNonZero(labels == int(object["label"])), object["points"]);
+  for (const auto& object : json["objects"])
+    EXPECT_EQ(cv::countNonZero(labels == int(object["label"])), object["points"]);
   EXPECT_EQ(cv::imread(folder_ / "out/kitchen/overlay.png").size(), labels.size());
 }
 
@@ -76,13 +79,14 @@ TEST_F(SegmentTool, BadInputsGetOneLineEachAndTheOthersAreDone) {
   std::filesystem::create_directory(folder_ / "empty");
   writeBytes(folder_ / "broken.pcd", "VERSION 0.7\nFIELDS x y z\n");
   writeBytes(folder_ / "out/cut/objects.json", "of an earlier run");
-  const Outcome outcome = run(common() + cut + " " + text + " " + (folder_ / "empty") + " " + (folder_ / "missing") + " " +
-                              (folder_ / "broken.pcd") + " / " + good + " " + (folder_ / "out/../good"));
+  const Outcome outcome = run(common() + cut + " " + text + " " + (folder_ / "empty") + " " + (folder_ / "missing") +
+                              " " + (folder_ / "broken.pcd") + " / " + good + " " + (folder_ / "out/../good"));
   EXPECT_EQ(outcome.exit_status, 1);
   EXPECT_EQ(outcome.errorLines(), 7) << outcome.err;
-  for (const std::string line : {cut + ": depth.png: is cut off", text + ": depth.png: is not a PNG", "empty: holds no depth.png",
-                                 "missing: there is no such file or folder", "broken.pcd: is cut off within its header",
-                                 "/: has no name", "out/../good: its results would overwrite those of " + good}) {
+  for (const std::string& line : std::vector<std::string>{
+           cut + ": depth.png: is cut off", text + ": depth.png: is not a PNG", "empty: holds no depth.png",
+           "missing: there is no such file or folder", "broken.pcd: is cut off within its header", "/: has no name",
+           "out/../good: its results would overwrite those of " + good}) {
     EXPECT_NE(outcome.err.find(line), std::string::npos) << line << "\n" << outcome.err;
   }
   EXPECT_EQ(outcome.out.compare(0, 6, "good: "), 0) << outcome.out;
@@ -114,7 +118,7 @@ TEST_F(SegmentTool, WrongCommandLines) {
 
 TEST_F(SegmentTool, OutputThatCannotBeWritten) {
   writeBytes(folder_ / "file", "x");
-  for (const std::string out : {folder_ / "file", folder_ / "file/below", std::string("/proc/nowhere")}) {
+  for (const std::string& out : {folder_ / "file", folder_ / "file/below", std::string("/proc/nowhere")}) {
     const Outcome outcome = run("--out " + out + " scene");
     EXPECT_EQ(outcome.exit_status, 1);
     EXPECT_EQ(outcome.errorLines(), 1) << outcome.err;
@@ -125,7 +129,8 @@ TEST_F(SegmentTool, OutputThatCannotBeWritten) {
 TEST_F(SegmentTool, PrintsHelpParametersAndConfiguration) {
   const Outcome help = run("--help");
   EXPECT_EQ(help.exit_status, 0);
-  for (const char* text : {"--pictures", "--camera", "Examples:", "Exit status"}) EXPECT_NE(help.out.find(text), std::string::npos);
+  for (const char* text : {"--pictures", "--camera", "Examples:", "Exit status"})
+    EXPECT_NE(help.out.find(text), std::string::npos);
   EXPECT_NE(run("--list-parameters").out.find("filter.threshold\tdouble\t"), std::string::npos);
   const std::string preset = REPOSITORY_DIR "/cfg/plain_boxes.yaml";
   const Outcome config = run("--print-config --config " + preset + " --set runtime.seed=5 runtime.threads=3");
@@ -139,5 +144,6 @@ TEST_F(SegmentTool, LinksNoRos) {
   ASSERT_EQ(std::system(("ldd " + kTools + "/segment >" + (folder_ / "ldd")).c_str()), 0);
   const std::string libraries = readBytes(folder_ / "ldd");
   EXPECT_NE(libraries.find("libopencv_core"), std::string::npos);
-  for (const char* ros : {"libroscpp", "librostime", "libnodelet"}) EXPECT_EQ(libraries.find(ros), std::string::npos) << ros;
+  for (const char* ros : {"libroscpp", "librostime", "libnodelet"})
+    EXPECT_EQ(libraries.find(ros), std::string::npos) << ros;
 }

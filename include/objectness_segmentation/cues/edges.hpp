@@ -14,7 +14,7 @@ enum EdgeKind : unsigned char {
 };
 
 struct EdgeMap {
-  cv::Mat_<uchar> kinds;  ///< H x W, EdgeKind bits of every pixel that survived the clean-up near the table, 0 = no edge
+  cv::Mat_<uchar> kinds;  ///< H x W, EdgeKind bits of the pixels that survived the clean-up near the table, 0 = no edge
 };
 
 struct EdgesConfig {
@@ -27,7 +27,7 @@ struct EdgesConfig {
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
-    visit("pcl", self.pcl, "use pcl::OrganizedEdgeFromNormals instead of the metric detector (only min_length_m is then used)");
+    visit("pcl", self.pcl, "use pcl::OrganizedEdgeFromNormals, not the metric detector; only min_length_m still counts");
     visit("step_m", self.step_m, Range{0.001, 1}, "depth edge: neighbours differ in depth by more than this");
     visit("step_sigmas", self.step_sigmas, Range{0, 100}, "and by more than this many sigma_z");
     visit("gap_m", self.gap_m, Range{0, 1}, "how far the other side of missing depth is searched; none: a border");
@@ -38,7 +38,7 @@ struct EdgesConfig {
 };
 
 /// Edges of the objects: of pixels of object_points.mask, and creases where an object meets the table, which lie up to
-/// one normal window outside it. Depth steps and creases are metric (they read the same at any resolution, depth and noise).
+/// one normal window outside it. Depth steps and creases are metric: they read the same at any resolution and depth.
 EdgeMap findEdges(const Frame& frame, const Normals& normals, const Table& table, const ObjectPoints& object_points,
                   const EdgesConfig& config);
 

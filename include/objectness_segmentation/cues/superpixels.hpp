@@ -23,8 +23,8 @@ struct SuperpixelsConfig {
   static void fields(Self& self, Visit&& visit) {
     visit("concave_deg", self.concave_deg, Range{0, 180},
           "cut where the normals one window radius to either side bend more towards each other: things that touch");
-    visit("convex_deg", self.convex_deg, Range{0, 180}, "cut where they bend more away from each other: edges of a thing");
-    visit("neighbor_deg", self.neighbor_deg, Range{0, 180}, "cut where the normals of neighbouring pixels differ by more");
+    visit("convex_deg", self.convex_deg, Range{0, 180}, "cut where they bend more away from each other: edges");
+    visit("neighbor_deg", self.neighbor_deg, Range{0, 180}, "cut where normals of neighbouring pixels differ by more");
     visit("max_residuals", self.max_residuals, Range{0, 1000},
           "cut where the plane fits worse than this many times the table's own median residual at that depth");
     visit("min_area_m2", self.min_area_m2, Range{0, 0.01}, "smaller pieces get label 0");

@@ -8,11 +8,11 @@
 
 namespace objectness {
 
-/// Reads a camera as ROS writes it, either as a calibration file (image_width, camera_matrix: {data: [...]}, ...) or as the
-/// text of a camera_info message (width, K: [...], ...).
+/// Reads a camera as ROS writes it, either as a calibration file (image_width, camera_matrix: {data: [...]}, ...) or as
+/// the text of a camera_info message (width, K: [...], ...).
 ///
-/// The projection matrix counts, as it describes the rectified image; without one (or with one of zeros) the camera matrix
-/// does, and then there must be no distortion: the points of an unrectified image do not lie on pinhole rays.
+/// The projection matrix counts, as it describes the rectified image; without one (or with one of zeros) the camera
+/// matrix does, and then there must be no distortion: the points of an unrectified image do not lie on pinhole rays.
 /// kBadInput: no such file, no YAML, entries missing; kBadCamera: values no rectified pinhole camera has.
 Result<PinholeCamera> loadCamera(const std::string& path);
 

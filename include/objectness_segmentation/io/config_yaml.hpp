@@ -12,8 +12,9 @@ namespace objectness {
 /// Lays a preset over `config`:
 ///     search:
 ///       angle_step_deg: 10
-/// Fields the file does not name keep their values. On kBadConfig (unknown name, wrong type, value out of range, fields that
-/// contradict each other) or kBadInput (no such file, no YAML) `config` is left as it was, and the message lists every problem.
+/// Fields the file does not name keep their values. On kBadConfig (unknown name, wrong type, value out of range, fields
+/// that contradict each other) or kBadInput (no such file, no YAML) `config` is left as it was, and the message lists
+/// every problem.
 Status loadConfig(const std::string& path, Config& config);
 
 /// Lays assignments "group.field=value" over `config`, all or none of them; errors as loadConfig().

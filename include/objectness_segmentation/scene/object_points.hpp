@@ -14,7 +14,7 @@ struct ObjectPoints {
 
 struct ObjectPointsConfig {
   double noise_sigmas = 3.5;
-  double min_threshold_m = 0.004;
+  double min_threshold_m = 0.003;
   double max_threshold_m = 0.015;
   double max_height_m = 0.45;
   double min_area_m2 = 3e-4;

@@ -8,8 +8,9 @@
 
 namespace objectness::sim {
 
-/// The built-in scene: a table over a floor, and on it three boxes, two cylinders and a bowl, some hidden by others in part.
-/// The seed moves the objects a little (they never touch) and makes the noise. World frame: z up, origin on the table.
+/// The built-in scene: a table over a floor, and on it three boxes, two cylinders and a bowl, some hidden by others in
+/// part. The seed moves the objects a little (they never touch) and makes the noise. World frame: z up, origin on the
+/// table.
 std::vector<Body> demoBodies(std::uint32_t seed);
 
 /// Where the demo's camera stands: T_world_camera.

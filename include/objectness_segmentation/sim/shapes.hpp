@@ -31,7 +31,8 @@ struct Cylinder {
   double radius, height;
 };
 
-/// Open at the top: what lies between two spheres about a centre on the z axis, cut off at the rim and flat at the foot.
+/// Open at the top: what lies between two spheres about a centre on the z axis, cut off at the rim and flat at the
+/// foot.
 struct Bowl {
   double radius, height, thickness;  ///< of the outer sphere; of the rim over the foot; of the wall
   double centre_z;                   ///< of both spheres; less than radius, so that the foot is flat
@@ -48,8 +49,8 @@ std::optional<Hit> intersect(const Bowl& bowl, const Ray& ray);
 struct Body {
   Shape shape;
   Eigen::Isometry3d T_world_body = Eigen::Isometry3d::Identity();
-  cv::Vec3b color;     ///< BGR
-  ushort label = 0;    ///< in true label images: 0 void, 1 table, 20, 30, ... objects
+  cv::Vec3b color;   ///< BGR
+  ushort label = 0;  ///< in true label images: 0 void, 1 table, 20, 30, ... objects
 };
 
 struct SceneHit {

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fixtures/cue_view.hpp"
+
+#include "objectness_segmentation/cues/superpixels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+#include <set>
+
+using namespace objectness;
+using namespace objectness_test;
+
+namespace {
+
+const Surface kTable = slab(-0.6, -0.4, 0.6, 0.4, 0);
+
+Scene sceneOf(std::vector<Surface> surfaces) {
+  Scene scene;
+  scene.surfaces = std::move(surfaces);
+  return scene;
+}
+
+Superpixels superpixelsOf(const CueView& view, const SuperpixelsConfig& config = {}) {
+  return findSuperpixels(view.frame, view.normals, view.table, view.points, config);
+}
+
+/// Pixels of every label among the points (table frame) that satisfy a condition.
+std::map<int, int> labelsWhere(const CueView& view, const Superpixels& superpixels,
+                               const std::function<bool(int surface, const Eigen::Vector3d& point)>& condition) {
+  std::map<int, int> pixels;
+  for (int i = 0; i < view.frame.size(); ++i) {
+    const Eigen::Vector3d point = view.table.T_table_camera * view.frame.points[i].cast<double>();
+    if (condition(view.scene.seen[i], point)) ++pixels[superpixels.label(i)];
+  }
+  return pixels;
+}
+
+std::map<int, int> labelsOf(const CueView& view, const Superpixels& superpixels, int surface) {
+  return labelsWhere(view, superpixels, [&](int seen, const Eigen::Vector3d&) { return seen == surface; });
+}
+
+void expectNoneInCommon(std::map<int, int> a, std::map<int, int> b) {
+  a.erase(0), b.erase(0);
+  EXPECT_FALSE(a.empty());
+  EXPECT_FALSE(b.empty());
+  for (const auto& entry : a) EXPECT_EQ(b.count(entry.first), 0u) << "superpixel " << entry.first;
+}
+
+}  // namespace
+
+TEST(Superpixels, ThingsSideBySideShareNone) {
+  Scene scene = sceneOf({kTable, box({-0.12, -0.1, 0}, {0, 0.05, 0.12}), box({0, -0.06, 0}, {0.1, 0.06, 0.08})});
+  scene.s0 = 0.0003, scene.s2 = 0.001;
+  const CueView view(scene);
+  const Superpixels superpixels = superpixelsOf(view);
+  expectNoneInCommon(labelsOf(view, superpixels, 1), labelsOf(view, superpixels, 2));
+}
+
+TEST(Superpixels, ThingOnAThingSharesNone) {
+  Scene scene = sceneOf({kTable, box({-0.15, -0.1, 0}, {0.15, 0.1, 0.05}),
+                         box({-0.06, -0.05, 0.05}, {0.05, 0.06, 0.13})});
+  scene.s0 = 0.0003, scene.s2 = 0.001;
+  const CueView view(scene);
+  const Superpixels superpixels = superpixelsOf(view);
+  expectNoneInCommon(labelsOf(view, superpixels, 1), labelsOf(view, superpixels, 2));
+}
+
+TEST(Superpixels, StepBetweenParallelFacesCuts) {
+  const CueView view(sceneOf({kTable, box({-0.12, -0.1, 0}, {0, 0.1, 0.10}), box({0, -0.1, 0}, {0.1, 0.1, 0.115})}));
+  const Superpixels superpixels = superpixelsOf(view);
+  const auto top = [&](int surface, double height) {
+    return labelsWhere(view, superpixels, [&](int seen, const Eigen::Vector3d& point) {
+      return seen == surface && point.z() > height - 1e-4;
+    });
+  };
+  expectNoneInCommon(top(1, 0.10), top(2, 0.115));
+}
+
+TEST(Superpixels, RoundThingsStayWhole) {
+  Scene scene = sceneOf({kTable, tube(-0.1, 0, 0, 0.15, 0.04), sphere({0.1, 0, 0.05}, 0.05)});
+  scene.T_world_camera = lookAt({0, -0.9, 0.25}, {0, 0, 0.06});  // low: does not see into the tube
+  const CueView view(scene);
+  const Superpixels superpixels = superpixelsOf(view);
+  const auto outside = [](int seen, const Eigen::Vector3d& point) { return seen == 1 && point.y() < -0.005; };
+  for (std::map<int, int> labels : {labelsWhere(view, superpixels, outside), labelsOf(view, superpixels, 2)}) {
+    int pixels = 0, largest = 0;
+    for (const auto& entry : labels) {
+      pixels += entry.second;
+      if (entry.first > 0) largest = std::max(largest, entry.second);
+    }
+    EXPECT_GT(largest, 0.6 * pixels);
+    labels.erase(0);
+    EXPECT_EQ(labels.size(), 1u);
+  }
+}
+
+TEST(Superpixels, ConvexRightAngleCuts) {
+  const CueView view(sceneOf({kTable, box({-0.1, -0.1, 0}, {0.1, 0.1, 0.12})}));
+  const Superpixels superpixels = superpixelsOf(view);
+  const auto where = [&](bool top) {
+    return labelsWhere(view, superpixels, [&](int seen, const Eigen::Vector3d& point) {
+      return seen == 1 && (point.z() > 0.1199) == top;
+    });
+  };
+  expectNoneInCommon(where(true), where(false));
+  EXPECT_EQ(superpixels.count, 2);
+}
+
+TEST(Superpixels, LabelsAreObjectPointsNumberedByTheirFirstPixel) {
+  const CueView view(sceneOf({kTable, box({-0.2, -0.1, 0}, {-0.05, 0.05, 0.12}),
+                              box({0.05, -0.15, 0}, {0.2, 0.1, 0.06}), sphere({0, 0.1, 0.04}, 0.04)}));
+  const Superpixels superpixels = superpixelsOf(view);
+  int highest = 0;
+  std::vector<int> pixels(superpixels.count + 1, 0);
+  for (int i = 0; i < view.frame.size(); ++i) {
+    const int label = superpixels.label(i);
+    ASSERT_TRUE(label == 0 || view.points.mask(i)) << "label outside the object points";
+    ASSERT_LE(label, highest + 1) << "a number is skipped";
+    highest = std::max(highest, label);
+    ++pixels[label];
+  }
+  EXPECT_EQ(highest, superpixels.count);
+  EXPECT_GE(superpixels.count, 5);
+  for (int label = 1; label <= superpixels.count; ++label) EXPECT_GE(pixels[label], SuperpixelsConfig{}.min_pixels);
+}
+
+TEST(Superpixels, SmallPiecesGetNoLabel) {
+  const CueView view(sceneOf({kTable, box({-0.1, -0.1, 0}, {0.1, 0.1, 0.12})}));
+  SuperpixelsConfig config;
+  config.min_pixels = 100000;
+  EXPECT_EQ(superpixelsOf(view, config).count, 0);
+  config = {};
+  config.min_area_m2 = 0.01;  // the top shows 0.026 m^2 to the camera, the front less than 0.018
+  config.min_pixels = 1;
+  const int large = superpixelsOf(view, config).count;
+  EXPECT_GE(large, 1);
+  EXPECT_LE(large, 2);
+}
+
+TEST(Superpixels, SameTwice) {
+  Scene scene = sceneOf({kTable, box({-0.15, -0.1, 0}, {0.15, 0.1, 0.05}), sphere({0, 0, 0.1}, 0.05)});
+  scene.s0 = 0.0008, scene.s2 = 0.0016;
+  const CueView view(scene);
+  const Superpixels first = superpixelsOf(view), second = superpixelsOf(view);
+  EXPECT_EQ(first.count, second.count);
+  EXPECT_EQ(cv::countNonZero(first.label != second.label), 0);
+}
+
+TEST(Superpixels, NoneWithoutObjectPoints) {
+  const CueView view(sceneOf({kTable}));
+  const Superpixels superpixels = superpixelsOf(view);
+  EXPECT_EQ(superpixels.count, 0);
+  EXPECT_EQ(superpixels.label.size(), cv::Size(640, 480));
+  EXPECT_EQ(cv::countNonZero(superpixels.label), 0);
+}

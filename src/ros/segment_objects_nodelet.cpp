@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segment_objects_nodelet.hpp"
 
+#include "objectness_segmentation/io/config_yaml.hpp"
 #include "objectness_segmentation/ros/diagnostics.hpp"
 #include "objectness_segmentation/ros/output_conversions.hpp"
 #include "objectness_segmentation/ros/params.hpp"
@@ -47,6 +48,7 @@ void SegmentObjectsNodelet::initialize() {
   ReadParameters parameters = readParameters(private_nh, kOwnParameters);
   for (const std::string& problem : parameters.problems) NODELET_WARN("%s", problem.c_str());
   config_ = parameters.config;
+  NODELET_DEBUG("configuration:\n%s", objectness::toYaml(config_).c_str());
 
   const auto on_exception = [this](const std::string& what) {
     statistics_.noteException(what);
@@ -186,12 +188,12 @@ void SegmentObjectsNodelet::publish(const SegmentedFrame& result, const std_msgs
 
 /// Not NODELET_WARN_THROTTLE: that one counts for all nodelets of a manager together, and in ROS time.
 void SegmentObjectsNodelet::warnThrottled(const objectness::Status& status) {
+  if (status.ok()) return;
   const auto now = std::chrono::steady_clock::now();
-  if (!status.ok() && (status.code != last_warning_ || now - last_warning_time_ > kWarningPeriod)) {
-    NODELET_WARN("frame not segmented (%s): %s", objectness::toString(status.code), status.message.c_str());
-    last_warning_time_ = now;
-    last_warning_ = status.code;
-  }
+  const auto [last, first_time] = last_warnings_.emplace(status.code, now);
+  if (!first_time && now - last->second < kWarningPeriod) return;
+  last->second = now;
+  NODELET_WARN("frame not segmented (%s): %s", objectness::toString(status.code), status.message.c_str());
 }
 
 }  // namespace objectness_segmentation

@@ -14,6 +14,7 @@
 #include <nodelet/nodelet.h>
 
 #include <chrono>
+#include <map>
 #include <memory>
 #include <mutex>
 
@@ -51,8 +52,7 @@ class SegmentObjectsNodelet : public nodelet::Nodelet {
   ObjectnessSegmentationConfig accepted_;  // the same values, for the reconfigure server; its callback only
 
   FrameStatistics statistics_;
-  objectness::StatusCode last_warning_ = objectness::StatusCode::kOk;  // worker only
-  std::chrono::steady_clock::time_point last_warning_time_;            // worker only
+  std::map<objectness::StatusCode, std::chrono::steady_clock::time_point> last_warnings_;  // worker only
 
   std::mutex connect_mutex_;  // held while publishers and inputs_ come, go or are looked at by updateSubscriptions()
   ros::Publisher objects_, segments_, markers_;

@@ -16,8 +16,8 @@ constexpr double kMaxPrincipalPointImages = 10;
 
 Status validate(const PinholeCamera& camera) {
   std::ostringstream reason;
-  const bool finite = std::isfinite(camera.fx) && std::isfinite(camera.fy) && std::isfinite(camera.cx) &&
-                      std::isfinite(camera.cy);
+  const bool finite =
+      std::isfinite(camera.fx) && std::isfinite(camera.fy) && std::isfinite(camera.cx) && std::isfinite(camera.cy);
   if (camera.width < 1 || camera.height < 1 || camera.width > kMaxSidePx || camera.height > kMaxSidePx) {
     reason << "camera size is " << camera.width << " x " << camera.height << ", must be within 1 and " << kMaxSidePx
            << " pixels a side";

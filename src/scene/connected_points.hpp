@@ -8,7 +8,7 @@ namespace objectness {
 /// How far neighbouring pixels may be from each other in space and still show one thing: the largest of three lengths.
 struct Gap {
   float constant_m;
-  float per_depth;   ///< metres per metre of depth: a surface seen at a grazing angle
+  float per_depth;  ///< metres per metre of depth: a surface seen at a grazing angle
   float sigmas;
   DepthNoise noise;
 

@@ -10,8 +10,8 @@ namespace {
 
 constexpr float kBinM = 0.1f;
 constexpr std::size_t kMinPerBin = 50;
-constexpr double kOneSigma = 0.683;      // share of a normal distribution within one sigma
-constexpr float kMaxResidualM = 0.06f;   // deeper is another surface, not noise
+constexpr double kOneSigma = 0.683;                             // share of a normal distribution within one sigma
+constexpr float kMaxResidualM = 0.06f;                          // deeper is another surface, not noise
 constexpr double kMinQuadratic = 0.0003, kMaxQuadratic = 0.02;  // per metre; the range of known depth cameras
 
 }  // namespace

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/scene/frame.hpp"
 
-#include "organize.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
+
+#include "organize.hpp"
 
 namespace objectness {
 namespace {
@@ -44,11 +44,13 @@ Status checkSizes(const RawCloud& cloud) {
   const long expected = static_cast<long>(cloud.width) * cloud.height;
   if (cloud.width < 0 || cloud.height < 0 || expected != static_cast<long>(cloud.points.size())) {
     return Status::error(StatusCode::kSizeMismatch, "cloud says it is " + sizeText(cloud.width, cloud.height) +
-                                                        " but holds " + std::to_string(cloud.points.size()) + " points");
+                                                        " but holds " + std::to_string(cloud.points.size()) +
+                                                        " points");
   }
   if (!cloud.colors.empty() && cloud.colors.size() != cloud.points.size()) {
-    return Status::error(StatusCode::kSizeMismatch, "cloud has " + std::to_string(cloud.points.size()) + " points but " +
-                                                        std::to_string(cloud.colors.size()) + " colours");
+    return Status::error(StatusCode::kSizeMismatch, "cloud has " + std::to_string(cloud.points.size()) +
+                                                        " points but " + std::to_string(cloud.colors.size()) +
+                                                        " colours");
   }
   return {};
 }

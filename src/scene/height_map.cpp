@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "height_map.hpp"
 
-#include "surface_samples.hpp"
-
-#include <opencv2/imgproc.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <opencv2/imgproc.hpp>
+
+#include "surface_samples.hpp"
 
 namespace objectness {
 namespace {
 
-constexpr float kLowShare = 0.6f;    // of the threshold, for pixels next to certain ones
+constexpr float kLowShare = 0.6f;  // of the threshold, for pixels next to certain ones
 constexpr int kLowReachPx = 3;
-constexpr int kMinSeedPixels = 40;   // smaller specks over the threshold are noise
+constexpr int kMinSeedPixels = 40;  // smaller specks over the threshold are noise
 
 }  // namespace
 
 HeightMap makeHeightMap(const Frame& frame, const Table& table, const ObjectPointsConfig& config) {
   const int width = frame.width(), height = frame.height();
-  HeightMap map{cv::Mat_<float>(height, width), cv::Mat_<float>(height, width), cv::Mat_<uchar>(height, width, uchar(0))};
+  HeightMap map{cv::Mat_<float>(height, width), cv::Mat_<float>(height, width),
+                cv::Mat_<uchar>(height, width, uchar(0))};
   const FastPlane plane(table);
   const Eigen::Matrix<float, 2, 3> axes = table.T_table_camera.linear().topRows<2>().cast<float>();
   const float inverse_cell = static_cast<float>(1 / table.extent.cell_m);
@@ -42,8 +42,7 @@ HeightMap makeHeightMap(const Frame& frame, const Table& table, const ObjectPoin
       }
       // Depth noise moves a point along its ray: seen at a grazing angle, little of it is height.
       const float cosine = std::abs((h - plane.d) / p.z());
-      map.threshold_m(v, u) =
-          std::min(high, std::max(low, sigmas * (constant + quadratic * p.z() * p.z()) * cosine));
+      map.threshold_m(v, u) = std::min(high, std::max(low, sigmas * (constant + quadratic * p.z() * p.z()) * cosine));
       const Eigen::Vector2f cell = (axes * p - origin) * inverse_cell;
       if (cell.x() >= 0 && cell.y() >= 0 && cell.x() < cells.cols && cell.y() < cells.rows) {
         map.inside(v, u) = cells(static_cast<int>(cell.y()), static_cast<int>(cell.x()));
@@ -64,8 +63,7 @@ cv::Mat_<uchar> aboveTable(const HeightMap& map) {
   for (int i = 1; i < count; ++i) keep[i] = stats.at<int>(i, cv::CC_STAT_AREA) >= kMinSeedPixels ? 255 : 0;
   std::transform(labels.begin<int>(), labels.end<int>(), seeds.begin(), [&](int label) { return keep[label]; });
 
-  const cv::Mat disk =
-      cv::getStructuringElement(cv::MORPH_ELLIPSE, cv::Size(2 * kLowReachPx + 1, 2 * kLowReachPx + 1));
+  const cv::Mat disk = cv::getStructuringElement(cv::MORPH_ELLIPSE, cv::Size(2 * kLowReachPx + 1, 2 * kLowReachPx + 1));
   cv::Mat_<uchar> near;
   cv::dilate(seeds, near, disk);
   const cv::Mat_<uchar> low = map.height_m > kLowShare * map.threshold_m;

@@ -7,9 +7,9 @@ namespace objectness {
 
 /// Where every pixel is over or under the table. All H x W.
 struct HeightMap {
-  cv::Mat_<float> height_m;    ///< NaN = invalid point
+  cv::Mat_<float> height_m;     ///< NaN = invalid point
   cv::Mat_<float> threshold_m;  ///< height that noise does not explain at this pixel, along the table's normal
-  cv::Mat_<uchar> inside;      ///< 255 = the foot of the point lies on the table's extent
+  cv::Mat_<uchar> inside;       ///< 255 = the foot of the point lies on the table's extent
 };
 
 HeightMap makeHeightMap(const Frame& frame, const Table& table, const ObjectPointsConfig& config);

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "standing_things.hpp"
-
-#include <opencv2/imgproc.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "standing_things.hpp"
 
 namespace objectness {
 namespace {
 
 constexpr int kMinFloorPixels = 20;
-constexpr double kFloorThicknessM = 0.0012;  // a bowl's floor lies higher than the table around it, a ring's hole does not
-constexpr double kAroundM = 0.10;            // where the table around a thing is measured
+constexpr double kFloorThicknessM =
+    0.0012;                        // a bowl's floor lies higher than the table around it, a ring's hole does not
+constexpr double kAroundM = 0.10;  // where the table around a thing is measured
 constexpr int kMinAroundPixels = 50;
 
 constexpr float kSameRimM = 0.01f;
 
 /// Connected pixels that are no thing.
 struct Region {
-  bool open = false;        // not enclosed: reaches the image border or touches more than two things
-  int things[2] = {0, 0};   // that it touches; 0 = none
+  bool open = false;       // not enclosed: reaches the image border or touches more than two things
+  int things[2] = {0, 0};  // that it touches; 0 = none
   cv::Rect box;
 
   void touches(int thing) {
@@ -117,8 +117,9 @@ std::vector<std::vector<cv::Point>> footprints(const Frame& frame, const Table& 
 /// Median height of the table next to a region; NaN when it is not seen.
 double tableAround(const cv::Rect& region, int reach_px, const HeightMap& map, const Things& things) {
   const cv::Rect image(0, 0, map.height_m.cols, map.height_m.rows);
-  const cv::Rect box = cv::Rect(region.x - reach_px, region.y - reach_px, region.width + 2 * reach_px,
-                                region.height + 2 * reach_px) & image;
+  const cv::Rect box =
+      cv::Rect(region.x - reach_px, region.y - reach_px, region.width + 2 * reach_px, region.height + 2 * reach_px) &
+      image;
   std::vector<float> heights;
   for (int v = box.y; v < box.br().y; ++v) {
     for (int u = box.x; u < box.br().x; ++u) {

@@ -12,9 +12,9 @@ constexpr float kLayersM = 0.03f;            // layers farther apart than this a
 constexpr float kMinNormalCosine = 0.9063f;  // 25 deg
 constexpr std::size_t kMinPerCell = 3;
 constexpr int kRounds = 4;
-constexpr float kMinStepM = 0.004f;          // between layers that can be told apart
-constexpr double kMinLayerShare = 0.12;      // of the cells; less is a dent or an edge
-constexpr double kMaxValley = 0.5;           // cells between two layers, per cell of the smaller layer
+constexpr float kMinStepM = 0.004f;      // between layers that can be told apart
+constexpr double kMinLayerShare = 0.12;  // of the cells; less is a dent or an edge
+constexpr double kMaxValley = 0.5;       // cells between two layers, per cell of the smaller layer
 constexpr float kBinM = 0.001f;
 
 /// A point for each cell of a grid on the plane: less noisy than the samples, and every part of the table counts alike.
@@ -35,7 +35,8 @@ std::vector<Patch> patchesNear(const SurfaceSamples& view, const Plane& plane) {
     if (!sample.valid() || !sample.hasNormal() || sample.normal.dot(fast.normal) < kMinNormalCosine) continue;
     if (std::abs(fast.height(sample.point)) > std::max(kLayersM, sample.tolerance())) continue;
     const Eigen::Vector2f foot = axes * sample.point;
-    if (grid.cell(foot.x(), foot.y(), cell) && extent(cell) == kCore) cells[cell.y * extent.cols + cell.x].push_back(&sample);
+    if (grid.cell(foot.x(), foot.y(), cell) && extent(cell) == kCore)
+      cells[cell.y * extent.cols + cell.x].push_back(&sample);
   }
   std::vector<Patch> patches;
   for (auto& members : cells) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/scene/normals.hpp"
 
-#include "depth_jumps.hpp"
-#include "normals_pcl.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+
+#include "depth_jumps.hpp"
+#include "normals_pcl.hpp"
 
 namespace objectness {
 namespace {
@@ -78,11 +78,14 @@ struct PlaneFit {
 PlaneFit fitPlane(const PinholeCamera& camera, const Sums& sums, int u, int v, int radius) {
   const double n = (2 * radius + 1) * (2 * radius + 1);
   const double second_moment = n * radius * (radius + 1) / 3.0;  // sum of (u - u0)^2 over the window
-  const double sum_uw = static_cast<double>(static_cast<std::int64_t>(sums.uw - sums.w * static_cast<std::uint64_t>(u)));
-  const double sum_vw = static_cast<double>(static_cast<std::int64_t>(sums.vw - sums.w * static_cast<std::uint64_t>(v)));
+  const double sum_uw =
+      static_cast<double>(static_cast<std::int64_t>(sums.uw - sums.w * static_cast<std::uint64_t>(u)));
+  const double sum_vw =
+      static_cast<double>(static_cast<std::int64_t>(sums.vw - sums.w * static_cast<std::uint64_t>(v)));
   const double a = sum_uw / second_moment, b = sum_vw / second_moment, c = static_cast<double>(sums.w) / n;
 
-  // u = fx x/z + cx turns the fit into (a fx) x + (b fy) y + (a (cx - u0) + b (cy - v0) + c) z = 1: away from the camera.
+  // u = fx x/z + cx turns the fit into (a fx) x + (b fy) y + (a (cx - u0) + b (cy - v0) + c) z = 1: away from the
+  // camera.
   const Eigen::Vector3d away(a * camera.fx, b * camera.fy, a * (camera.cx - u) + b * (camera.cy - v) + c);
   const double norm = away.norm();
   const double variance =

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/scene/object_points.hpp"
 
+#include <cmath>
+
 #include "height_map.hpp"
 #include "standing_things.hpp"
 #include "wall_patches.hpp"
-
-#include <cmath>
 
 namespace objectness {
 namespace {

@@ -32,11 +32,13 @@ Result<Frame> organize(const RawCloud& cloud, const PinholeCamera& camera) {
     const Eigen::Vector2d centre(std::round(pixel.x()), std::round(pixel.y()));
     if (!(centre.x() >= 0 && centre.y() >= 0 && centre.x() < camera.width && centre.y() < camera.height)) continue;
     if ((pixel - centre).norm() <= kOnPixelRadiusPx) ++on_pixel;
-    const std::size_t index = static_cast<std::size_t>(centre.y()) * camera.width + static_cast<std::size_t>(centre.x());
+    const std::size_t index =
+        static_cast<std::size_t>(centre.y()) * camera.width + static_cast<std::size_t>(centre.x());
     Eigen::Vector3f& kept = frame.points[index];
     if (kept.z() <= p.z()) continue;  // false for NaN
     kept = p;
-    if (!cloud.colors.empty()) frame.color(static_cast<int>(centre.y()), static_cast<int>(centre.x())) = cloud.colors[i];
+    if (!cloud.colors.empty())
+      frame.color(static_cast<int>(centre.y()), static_cast<int>(centre.x())) = cloud.colors[i];
   }
   if (finite == 0) {
     return Result<Frame>::error(StatusCode::kNoValidPoints,

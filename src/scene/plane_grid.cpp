@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plane_grid.hpp"
 
-#include <opencv2/imgproc.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 
 namespace objectness {
 namespace {
 
-constexpr double kMaxReachM = 4.0;     // of a table from its middle; keeps the grid of a hall's floor small
-constexpr double kBridgedGapM = 0.025;  // missing depth within the surface
-constexpr double kSpeckM = 0.015;       // points that only happen to be at table height
-constexpr double kMinPartM2 = 0.0025;   // of the surface seen between things; smaller ones are not part of it
+constexpr double kMaxReachM = 4.0;       // of a table from its middle; keeps the grid of a hall's floor small
+constexpr double kBridgedGapM = 0.025;   // missing depth within the surface
+constexpr double kSpeckM = 0.015;        // points that only happen to be at table height
+constexpr double kMinPartM2 = 0.0025;    // of the surface seen between things; smaller ones are not part of it
 constexpr double kBridgedThingM = 0.32;  // between parts of the surface, under a thing or its shadow
-constexpr double kReachM = 0.16;        // how far the table goes on under things beyond the last of it that is seen
-constexpr double kRimM = 0.05;          // things stand at the very edge, and table edges are rounded
+constexpr double kReachM = 0.16;         // how far the table goes on under things beyond the last of it that is seen
+constexpr double kRimM = 0.05;           // things stand at the very edge, and table edges are rounded
 constexpr float kMinNormalCosine = 0.9063f;  // 25 deg
-constexpr float kBehindM = 0.015f;      // beyond the tolerance: further behind the plane than any dent of a table
-constexpr float kCoverCeilingM = 0.45f;  // higher things rather stand behind the table
+constexpr float kBehindM = 0.015f;           // beyond the tolerance: further behind the plane than any dent of a table
+constexpr float kCoverCeilingM = 0.45f;      // higher things rather stand behind the table
 
 /// Structuring element that reaches this far to each side.
 cv::Mat square(double reach_m, double cell_m) {
@@ -148,8 +147,7 @@ cv::Mat_<uchar> extentOf(const PlaneGrid& grid) {
   core = fillHoles(mainPart(core, solid));
 
   const int rim_cells = std::max(1, static_cast<int>(std::lround(kRimM / grid.cell_m)));
-  cv::dilate(core, rim,
-             cv::getStructuringElement(cv::MORPH_ELLIPSE, cv::Size(2 * rim_cells + 1, 2 * rim_cells + 1)));
+  cv::dilate(core, rim, cv::getStructuringElement(cv::MORPH_ELLIPSE, cv::Size(2 * rim_cells + 1, 2 * rim_cells + 1)));
   cv::dilate(core, reachable, square(kReachM, grid.cell_m));
   cv::Mat_<uchar> all = rim | (reachable & grid.covered);
   all.setTo(0, grid.seen_through);

@@ -10,11 +10,11 @@ namespace {
 
 constexpr int kMaxPlanes = 8;
 constexpr int kTries = 60;
-constexpr int kCountedSamples = 3000;    // a try is judged on a part of the samples, the final fits use all
-constexpr double kMinShare = 0.012;      // of the samples; smaller planes are object faces
+constexpr int kCountedSamples = 3000;  // a try is judged on a part of the samples, the final fits use all
+constexpr double kMinShare = 0.012;    // of the samples; smaller planes are object faces
 constexpr int kRefits = 3;
 constexpr float kMinNormalCosine = 0.9397f;  // 20 deg: the spread of normals on a noisy table
-constexpr float kWideTolerances = 4.0f;  // a plane through one point and its noisy normal is only about right
+constexpr float kWideTolerances = 4.0f;      // a plane through one point and its noisy normal is only about right
 constexpr double kSamePlaneCosine = 0.9945;  // 6 deg
 
 using Sample = SurfaceSamples::Sample;
@@ -28,7 +28,8 @@ bool refit(const std::vector<const Sample*>& samples, float tolerances, Plane& p
   const FastPlane current(plane);
   PlaneFitter fitter;
   for (const Sample* sample : samples) {
-    if (fits(current, *sample, tolerances)) fitter.add(sample->point, 1.0 / (double(sample->sigma_m) * sample->sigma_m));
+    if (fits(current, *sample, tolerances))
+      fitter.add(sample->point, 1.0 / (double(sample->sigma_m) * sample->sigma_m));
   }
   return fitter.solve(plane);
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/scene/frame.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <vector>
+
+#include "objectness_segmentation/scene/frame.hpp"
 
 namespace objectness {
 namespace {
@@ -73,7 +73,8 @@ Result<PinholeCamera> recoverCamera(const RawCloud& cloud) {
   std::nth_element(residuals.begin(), median, residuals.end());
   if (!(*median <= kMaxMedianResidualPx) || camera.fx <= 0 || camera.fy <= 0) {
     std::ostringstream why;
-    why << "the cloud's grid is no pinhole view in the optical frame (x right, y down, z forward): the best camera has fx "
+    why << "the cloud's grid is no pinhole view in the optical frame (x right, y down, z forward): the best camera has "
+           "fx "
         << camera.fx << ", fy " << camera.fy << " and misses the median pixel by " << *median << " px";
     return fail(why.str());
   }

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "standing_things.hpp"
 
-#include "connected_points.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "connected_points.hpp"
 
 namespace objectness {
 namespace {
 
 constexpr float kGapM = 0.01f;
-constexpr double kGapPixels = 3.0;   // of z / f
+constexpr double kGapPixels = 3.0;  // of z / f
 constexpr float kGapSigmas = 4.0f;
-constexpr int kMinPixels = 200;      // when the area is too small
+constexpr int kMinPixels = 200;  // when the area is too small
 constexpr double kMaxShareOverCeiling = 0.1;
 
 struct Thing {

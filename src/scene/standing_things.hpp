@@ -11,13 +11,13 @@ struct Things {
   int count = 0;
 };
 
-/// Connects neighbouring mask pixels (8) whose points are close, over the border of the table's extent as well, and keeps
-/// the things that stand on the table: enough of it, mostly over the extent, not reaching over the ceiling.
+/// Connects neighbouring mask pixels (8) whose points are close, over the border of the table's extent as well, and
+/// keeps the things that stand on the table: enough of it, mostly over the extent, not reaching over the ceiling.
 Things findThings(const Frame& frame, const Table& table, const HeightMap& map, const ObjectPointsConfig& config,
                   const cv::Mat_<uchar>& mask);
 
-/// Adds the floors of hollow things to the mask: pixels at table height that one thing encloses, in the image and on the
-/// table, and that lie a little higher than the table around the thing.
+/// Adds the floors of hollow things to the mask: pixels at table height that one thing encloses, in the image and on
+/// the table, and that lie a little higher than the table around the thing.
 void addHollowFloors(const Frame& frame, const Table& table, const HeightMap& map, const Things& things,
                      cv::Mat_<uchar>& mask);
 

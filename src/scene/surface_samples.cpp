@@ -2,7 +2,6 @@
 #include "surface_samples.hpp"
 
 #include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cmath>
 

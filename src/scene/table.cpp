@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/scene/table.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <sstream>
+
 #include "depth_noise.hpp"
 #include "lowest_layer.hpp"
 #include "plane_grid.hpp"
 #include "plane_hypotheses.hpp"
 #include "table_evidence.hpp"
 
-#include <opencv2/imgproc.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <sstream>
-
 namespace objectness {
 namespace {
 
-constexpr int kSampleCount = 40000;        // to find planes in
+constexpr int kSampleCount = 40000;         // to find planes in
 constexpr int kExtentSampleCount = 120000;  // to draw the extent from
 constexpr double kExtentCellM = 0.01;
 constexpr double kOutlineToleranceCells = 1.0;
@@ -25,8 +24,9 @@ Result<Plane> givenPlane(const TableConfig& config) {
   const Eigen::Vector3d normal(config.given_a, config.given_b, config.given_c);
   const double length = normal.norm();
   if (!(length > 0) || !std::isfinite(length) || !std::isfinite(config.given_d)) {
-    return Result<Plane>::error(StatusCode::kBadConfig,
-                                "table.given is set but (given_a, given_b, given_c) is no direction: give the plane's normal");
+    return Result<Plane>::error(
+        StatusCode::kBadConfig,
+        "table.given is set but (given_a, given_b, given_c) is no direction: give the plane's normal");
   }
   Plane plane{normal / length, config.given_d / length};
   if (plane.d < 0) plane.normal = -plane.normal, plane.d = -plane.d;
@@ -56,9 +56,11 @@ Result<Plane> choosePlane(const SurfaceSamples& samples, double focal, const std
   }
   if (best) return {{}, *best};
 
-  const auto valid = std::count_if(samples.samples.begin(), samples.samples.end(), [](const auto& s) { return s.valid(); });
+  const auto valid =
+      std::count_if(samples.samples.begin(), samples.samples.end(), [](const auto& s) { return s.valid(); });
   std::ostringstream why;
-  why << "no table in view: " << static_cast<int>(100.0 * valid / std::max<std::size_t>(1, samples.samples.size()) + 0.5)
+  why << "no table in view: "
+      << static_cast<int>(100.0 * valid / std::max<std::size_t>(1, samples.samples.size()) + 0.5)
       << " % of the pixels have depth, " << planes.size() << " planes were found";
   if (tilted > 0) why << ", " << tilted << " of them tilted more than table.max_tilt_deg";
   if (tilted < static_cast<int>(planes.size())) {
@@ -109,8 +111,9 @@ Result<Table> findTable(const Frame& frame, const Normals& normals, const TableC
   const SurfaceSamples dense = sampleSurface(frame, normals, prior, kExtentSampleCount);
   const PlaneGrid grid = makePlaneGrid(dense, plane, kExtentCellM);
   if (grid.empty()) {
-    return Result<Table>::error(StatusCode::kNoTable, config.given ? "no point of the view lies on the given table plane"
-                                                                   : "no point of the view lies on the table plane");
+    return Result<Table>::error(StatusCode::kNoTable, config.given
+                                                          ? "no point of the view lies on the given table plane"
+                                                          : "no point of the view lies on the table plane");
   }
   const cv::Mat_<uchar> extent = extentOf(grid);
   if (cv::countNonZero(extent) == 0) {

@@ -1,26 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "table_evidence.hpp"
 
-#include "connected_points.hpp"
-
-#include <opencv2/imgproc.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "connected_points.hpp"
 
 namespace objectness {
 namespace {
 
 constexpr double kCellM = 0.02;
-constexpr float kCeilingM = 0.45f;      // what reaches higher is rather a wall, a shelf or a robot
-constexpr float kFootM = 0.04f;         // a thing on the plane is seen down to here
+constexpr float kCeilingM = 0.45f;  // what reaches higher is rather a wall, a shelf or a robot
+constexpr float kFootM = 0.04f;     // a thing on the plane is seen down to here
 constexpr int kMinFootSamples = 3;
 constexpr int kMinGroup = 6;
-constexpr double kMaxOutside = 1;       // samples beside the plane per sample over it
+constexpr double kMaxOutside = 1;  // samples beside the plane per sample over it
 constexpr float kGapM = 0.015f;
-constexpr double kGapPixels = 3;        // of z / f, per sample
+constexpr double kGapPixels = 3;  // of z / f, per sample
 constexpr float kGapSigmas = 4;
-constexpr double kUnlikely = 0.2;       // weight of groups that are too high or too wide
+constexpr double kUnlikely = 0.2;  // weight of groups that are too high or too wide
 constexpr double kNormalView = 40000.0;
 
 constexpr double kNearM = 1.3, kFarM = 3.3;  // full weight of a table up to here, next to none from there

@@ -7,12 +7,12 @@ namespace objectness {
 
 /// What speaks for a plane being the table.
 struct TableEvidence {
-  double area_m2 = 0;    ///< of its extent
+  double area_m2 = 0;     ///< of its extent
   double distance_m = 0;  ///< median depth of its samples
-  int carried = 0;       ///< samples of things that stand on it, scaled to 40 000 samples a view
-  double below = 0;      ///< samples under it within its extent, per sample on it
-  double seen_m2 = 0;    ///< the part of it that is seen rather than bridged
-  double inliers = 0;    ///< samples on it, scaled to 40 000 samples a view
+  int carried = 0;        ///< samples of things that stand on it, scaled to 40 000 samples a view
+  double below = 0;       ///< samples under it within its extent, per sample on it
+  double seen_m2 = 0;     ///< the part of it that is seen rather than bridged
+  double inliers = 0;     ///< samples on it, scaled to 40 000 samples a view
 
   /// Larger is more table-like; for comparing planes of one view.
   double score(const Plane& plane) const;

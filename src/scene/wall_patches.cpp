@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wall_patches.hpp"
 
-#include "plane_grid.hpp"
-
-#include <opencv2/imgproc.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "plane_grid.hpp"
 
 namespace objectness {
 namespace {
 
 constexpr double kMinAreaM2 = 0.004;
 constexpr double kMaxInsideShare = 0.5;
-constexpr double kBorderFactor = 0.5;       // border pixels per square root of the patch's pixels
-constexpr double kCeilingShare = 0.05;      // of the patch, over the ceiling
+constexpr double kBorderFactor = 0.5;   // border pixels per square root of the patch's pixels
+constexpr double kCeilingShare = 0.05;  // of the patch, over the ceiling
 constexpr float kMinToleranceM = 0.008f;
 constexpr float kToleranceSigmas = 4.0f;
 constexpr float kMinNormalCosine = 0.866f;  // 30 deg
@@ -31,8 +30,7 @@ cv::Mat_<uchar> onPlane(const Frame& frame, const Normals& normals, const Table&
   for (int i = 0; i < frame.size(); ++i) {
     if (mask.data[i] == 0) continue;
     const Eigen::Vector3f& p = frame.points[i];
-    const float tolerance =
-        std::max(kMinToleranceM, kToleranceSigmas * static_cast<float>(table.noise.sigma(p.z())));
+    const float tolerance = std::max(kMinToleranceM, kToleranceSigmas * static_cast<float>(table.noise.sigma(p.z())));
     if (std::abs(fast.height(p)) > tolerance) continue;
     if (normals.radius_px[i] > 0 && normals.normal[i].dot(fast.normal) < kMinNormalCosine) continue;
     result.data[i] = 255;
@@ -68,8 +66,9 @@ void removeWalls(const Frame& frame, const Normals& normals, const Table& table,
     std::vector<bool> wall(patches.size(), false);
     for (std::size_t k = 1; k < patches.size(); ++k) {
       const Patch& patch = patches[k];
-      wall[k] = patch.area_m2 > kMinAreaM2 && patch.inside < kMaxInsideShare * patch.pixels &&
-                (patch.border > kBorderFactor * std::sqrt(patch.pixels) || patch.too_high > kCeilingShare * patch.pixels);
+      wall[k] =
+          patch.area_m2 > kMinAreaM2 && patch.inside < kMaxInsideShare * patch.pixels &&
+          (patch.border > kBorderFactor * std::sqrt(patch.pixels) || patch.too_high > kCeilingShare * patch.pixels);
     }
     for (int i = 0; i < frame.size(); ++i) {
       if (candidates.data[i] && wall[labels(i / width, i % width)]) mask.data[i] = 0;

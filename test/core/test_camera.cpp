@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fixtures/ray_cast.hpp"
-
-#include "objectness_segmentation/scene/frame.hpp"
-
 #include <gtest/gtest.h>
+
+#include "fixtures/ray_cast.hpp"
+#include "objectness_segmentation/scene/frame.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

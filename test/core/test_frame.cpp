@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fixtures/ray_cast.hpp"
-
-#include "objectness_segmentation/scene/frame.hpp"
-
 #include <gtest/gtest.h>
+
+#include "fixtures/ray_cast.hpp"
+#include "objectness_segmentation/scene/frame.hpp"
 
 using namespace objectness;
 using namespace objectness_test;
@@ -59,7 +58,8 @@ TEST(Frame, FromDepthInMillimetresAndMetres) {
   const Result<Frame> a = makeFrame(millimetres, color, kinect(), {}), b = makeFrame(metres, color, kinect(), {});
   ASSERT_TRUE(a.ok() && b.ok()) << a.status.message << b.status.message;
   expectSamePoints(a.value, b.value.points);
-  EXPECT_TRUE(std::isnan(a.value.points[0].x()) && std::isnan(a.value.points[0].y()) && std::isnan(a.value.points[0].z()));
+  EXPECT_TRUE(std::isnan(a.value.points[0].x()) && std::isnan(a.value.points[0].y()) &&
+              std::isnan(a.value.points[0].z()));
   EXPECT_NEAR(a.value.points[639].x(), 319.5 / 525, 1e-6);
   EXPECT_EQ(a.value.color(3, 3), cv::Vec3b(1, 2, 3));
 }
@@ -140,7 +140,8 @@ TEST(Frame, CloudErrorsAreNamed) {
   bad = cloud, bad.colors.pop_back();
   EXPECT_EQ(makeFrame(bad, kinect(), {}).status.code, StatusCode::kSizeMismatch);
   EXPECT_EQ(makeFrame(cloud, PinholeCamera{525, 525, 160, 120, 320, 240}, {}).status.code, StatusCode::kSizeMismatch);
-  EXPECT_EQ(makeFrame(cloud, PinholeCamera{1050, 1050, 319.5, 239.5, 640, 480}, {}).status.code, StatusCode::kBadCamera);
+  EXPECT_EQ(makeFrame(cloud, PinholeCamera{1050, 1050, 319.5, 239.5, 640, 480}, {}).status.code,
+            StatusCode::kBadCamera);
   EXPECT_EQ(makeFrame(cloud, PinholeCamera{}, {}).status.code, StatusCode::kBadCamera);
   EXPECT_EQ(makeFrame(RawCloud{}, kinect(), {}).status.code, StatusCode::kNoValidPoints);
   bad = cloud;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fixtures/ray_cast.hpp"
-
-#include "objectness_segmentation/scene/normals.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cstring>
+
+#include "fixtures/ray_cast.hpp"
+#include "objectness_segmentation/scene/normals.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

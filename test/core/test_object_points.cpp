@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fixtures/ray_cast.hpp"
-
-#include "objectness_segmentation/scene/object_points.hpp"
-
 #include <gtest/gtest.h>
+
+#include "fixtures/ray_cast.hpp"
+#include "objectness_segmentation/scene/object_points.hpp"
 
 using namespace objectness;
 using namespace objectness_test;
@@ -87,7 +86,8 @@ TEST(ObjectPoints, ThresholdFollowsTheNoise) {
 }
 
 TEST(ObjectPoints, FloorAndNeighboursOfTheTableAreNone) {
-  const View view({kTable, slab(-3, -3, 3, 3, -0.5), box({0.8, -0.2, -0.5}, {1.2, 0.4, 0.1}), box({-0.1, -0.1, 0}, {0.1, 0, 0.12})});
+  const View view({kTable, slab(-3, -3, 3, 3, -0.5), box({0.8, -0.2, -0.5}, {1.2, 0.4, 0.1}),
+                   box({-0.1, -0.1, 0}, {0.1, 0, 0.12})});
   EXPECT_EQ(view.masked(1), 0);
   EXPECT_EQ(view.masked(2), 0) << "a box on the floor beside the table, higher than the table";
   EXPECT_GT(view.masked(3), 0.97);
@@ -108,7 +108,8 @@ TEST(ObjectPoints, LeaveOutWalls) {
 TEST(ObjectPoints, LeaveOutWhatReachesOverTheCeiling) {
   ObjectPointsConfig config;
   config.max_height_m = 0.2;
-  const View view({kTable, box({-0.15, -0.05, 0}, {-0.05, 0.05, 0.35}), box({0.1, -0.05, 0}, {0.2, 0.05, 0.15})}, config);
+  const View view({kTable, box({-0.15, -0.05, 0}, {-0.05, 0.05, 0.35}), box({0.1, -0.05, 0}, {0.2, 0.05, 0.15})},
+                  config);
   EXPECT_EQ(view.masked(1), 0);
   EXPECT_GT(view.masked(2), 0.95);
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fixtures/ray_cast.hpp"
-
-#include "objectness_segmentation/scene/table.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cstring>
+
+#include "fixtures/ray_cast.hpp"
+#include "objectness_segmentation/scene/table.hpp"
 
 using namespace objectness;
 using namespace objectness_test;
@@ -76,10 +75,12 @@ TEST(Table, EmptyTableIsATable) {
 }
 
 TEST(Table, TakesTheOneThatCarriesThingsNotTheLargerFloor) {
-  Scene scene = kinectScene({slab(-3, -3, 3, 3, -0.7), slab(-0.3, -0.2, 0.3, 0.2, 0), box({-0.1, -0.05, 0}, {0, 0.05, 0.1})});
+  Scene scene =
+      kinectScene({slab(-3, -3, 3, 3, -0.7), slab(-0.3, -0.2, 0.3, 0.2, 0), box({-0.1, -0.05, 0}, {0, 0.05, 0.1})});
   scene.T_world_camera = lookAt({0, -0.9, 0.8}, {0, 0.2, -0.1});
   const Frame frame = scene.render();
-  ASSERT_GT(std::count(scene.seen.begin(), scene.seen.end(), 0), 2 * std::count(scene.seen.begin(), scene.seen.end(), 1));
+  ASSERT_GT(std::count(scene.seen.begin(), scene.seen.end(), 0),
+            2 * std::count(scene.seen.begin(), scene.seen.end(), 1));
   const Result<Table> table = tableOf(frame);
   ASSERT_TRUE(table.ok()) << table.status.message;
   expectPlane(table.value, scene, 0, 0.002);
@@ -141,7 +142,8 @@ TEST(Table, GivenPlaneErrors) {
 
 TEST(Table, UpDirectionExcludesWalls) {
   // A wall with a shelf-like box on it, larger than the table in view.
-  Scene scene = kinectScene({slab(-0.5, -0.2, 0.5, 0.2, 0), box({-1, 0.2, -1}, {1, 0.3, 1}), box({-0.1, 0.1, 0.3}, {0.1, 0.2, 0.5})});
+  Scene scene = kinectScene(
+      {slab(-0.5, -0.2, 0.5, 0.2, 0), box({-1, 0.2, -1}, {1, 0.3, 1}), box({-0.1, 0.1, 0.3}, {0.1, 0.2, 0.5})});
   const Frame frame = scene.render();
   const Eigen::Vector3d up = scene.T_world_camera.linear().transpose() * Eigen::Vector3d::UnitZ();
   TableConfig config;
@@ -182,7 +184,8 @@ TEST(Table, TooSmallIsNoTable) {
 }
 
 TEST(Table, SameTwice) {
-  Scene scene = kinectScene({slab(-3, -3, 3, 3, -0.7), slab(-0.4, -0.3, 0.4, 0.3, 0), box({-0.1, -0.1, 0}, {0.1, 0, 0.12})});
+  Scene scene =
+      kinectScene({slab(-3, -3, 3, 3, -0.7), slab(-0.4, -0.3, 0.4, 0.3, 0), box({-0.1, -0.1, 0}, {0.1, 0, 0.12})});
   const Frame frame = scene.render();
   const Result<Table> a = tableOf(frame), b = tableOf(frame);
   ASSERT_TRUE(a.ok() && b.ok());

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "objectness_segmentation/common/status.hpp"
-
 #include <Eigen/Core>
+
+#include "objectness_segmentation/common/status.hpp"
 
 namespace objectness {
 
@@ -14,16 +14,15 @@ struct PinholeCamera {
   double cx = 0, cy = 0;  ///< principal point, pixels
   int width = 0, height = 0;
 
-  Eigen::Vector2d project(const Eigen::Vector3d& p) const {
-    return {fx * p.x() / p.z() + cx, fy * p.y() / p.z() + cy};
-  }
+  Eigen::Vector2d project(const Eigen::Vector3d& p) const { return {fx * p.x() / p.z() + cx, fy * p.y() / p.z() + cy}; }
   Eigen::Vector3d ray(double u, double v) const { return {(u - cx) / fx, (v - cy) / fy, 1.0}; }
 
   /// Pixels that one metre at one metre's distance spans: the scale between metric and pixel windows.
   double focal() const { return 0.5 * (fx + fy); }
 };
 
-/// Finite, positive focal lengths and sizes, principal point within ten image sizes; otherwise kBadCamera with the reason.
+/// Finite, positive focal lengths and sizes, principal point within ten image sizes; otherwise kBadCamera with the
+/// reason.
 Status validate(const PinholeCamera& camera);
 
 }  // namespace objectness

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "objectness_segmentation/common/range.hpp"
-#include "objectness_segmentation/common/status.hpp"
-#include "objectness_segmentation/scene/camera.hpp"
-
 #include <Eigen/Core>
 #include <opencv2/core.hpp>
-
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "objectness_segmentation/common/range.hpp"
+#include "objectness_segmentation/common/status.hpp"
+#include "objectness_segmentation/scene/camera.hpp"
 
 namespace objectness {
 
@@ -52,9 +51,10 @@ struct InputConfig {
 /// - a list, no camera: kNotOrganized.
 Result<Frame> makeFrame(const RawCloud& cloud, const std::optional<PinholeCamera>& camera, const InputConfig& config);
 
-/// A frame from a depth image. depth: CV_16U (millimetres, 0 = invalid) or CV_32F (metres, non-finite or <= 0 = invalid;
-/// REP 118). color: BGR of the same size, or empty.
-Result<Frame> makeFrame(const cv::Mat& depth, const cv::Mat& color, const PinholeCamera& camera, const InputConfig& config);
+/// A frame from a depth image. depth: CV_16U (millimetres, 0 = invalid) or CV_32F (metres, non-finite or <= 0 =
+/// invalid; REP 118). color: BGR of the same size, or empty.
+Result<Frame> makeFrame(const cv::Mat& depth, const cv::Mat& color, const PinholeCamera& camera,
+                        const InputConfig& config);
 
 /// Least-squares pinhole intrinsics of an organized cloud: u = fx x/z + cx, v = fy y/z + cy over the valid points.
 /// kBadCamera when there are too few points or the grid is no pinhole view (median residual over half a pixel).

@@ -23,13 +23,17 @@ struct ObjectPointsConfig {
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
-    visit("noise_sigmas", self.noise_sigmas, Range{0.5, 20}, "a point counts from this many sigma of depth noise over the table");
+    visit("noise_sigmas", self.noise_sigmas, Range{0.5, 20},
+          "a point counts from this many sigma of depth noise over the table");
     visit("min_threshold_m", self.min_threshold_m, Range{0, 0.1}, "but never from less height than this");
     visit("max_threshold_m", self.max_threshold_m, Range{0, 0.1}, "and always from more height than this");
     visit("max_height_m", self.max_height_m, Range{0.03, 2.0}, "things that reach over this height are not objects");
-    visit("min_area_m2", self.min_area_m2, Range{0, 0.1}, "things that show less surface (seen head-on) are not objects");
-    visit("min_inside_share", self.min_inside_share, Range{0, 1}, "least share of a thing's points over the table's extent");
-    visit("hollow_floors", self.hollow_floors, "points at table height enclosed by one hollow thing (a bowl) belong to it");
+    visit("min_area_m2", self.min_area_m2, Range{0, 0.1},
+          "things that show less surface (seen head-on) are not objects");
+    visit("min_inside_share", self.min_inside_share, Range{0, 1},
+          "least share of a thing's points over the table's extent");
+    visit("hollow_floors", self.hollow_floors,
+          "points at table height enclosed by one hollow thing (a bowl) belong to it");
   }
 };
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "objectness_segmentation/scene/normals.hpp"
-
 #include <Eigen/Geometry>
-
 #include <cmath>
 #include <vector>
+
+#include "objectness_segmentation/scene/normals.hpp"
 
 namespace objectness {
 
@@ -56,24 +55,27 @@ struct TableConfig {
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
-    visit("given", self.given, "use the plane given_a x + given_b y + given_c z + given_d = 0 instead of searching one");
+    visit("given", self.given,
+          "use the plane given_a x + given_b y + given_c z + given_d = 0 instead of searching one");
     visit("given_a", self.given_a, Range{-1e6, 1e6}, "given plane, optical frame");
     visit("given_b", self.given_b, Range{-1e6, 1e6}, "given plane, optical frame");
     visit("given_c", self.given_c, Range{-1e6, 1e6}, "given plane, optical frame");
     visit("given_d", self.given_d, Range{-1e6, 1e6}, "given plane, metres when (a, b, c) is a unit vector");
-    visit("up_known", self.up_known, "only planes whose normal is within max_tilt_deg of (up_x, up_y, up_z) are tables");
+    visit("up_known", self.up_known,
+          "only planes whose normal is within max_tilt_deg of (up_x, up_y, up_z) are tables");
     visit("up_x", self.up_x, Range{-1e6, 1e6}, "direction against gravity, optical frame, any length");
     visit("up_y", self.up_y, Range{-1e6, 1e6}, "direction against gravity, optical frame, any length");
     visit("up_z", self.up_z, Range{-1e6, 1e6}, "direction against gravity, optical frame, any length");
-    visit("max_tilt_deg", self.max_tilt_deg, Range{0, 90}, "largest angle between a table's normal and the up direction");
+    visit("max_tilt_deg", self.max_tilt_deg, Range{0, 90},
+          "largest angle between a table's normal and the up direction");
     visit("min_area_m2", self.min_area_m2, Range{0, 10}, "a smaller plane is no table");
   }
 };
 
 /// Finds the plane that carries the objects, its extent and the sensor's noise on it.
 ///
-/// Among up to eight planes the one is taken that looks most like a table: things stand on it, it is near and large, and
-/// nothing lies under it. Which way is up is not assumed (a wrist camera may hang upside down) unless up_known.
+/// Among up to eight planes the one is taken that looks most like a table: things stand on it, it is near and large,
+/// and nothing lies under it. Which way is up is not assumed (a wrist camera may hang upside down) unless up_known.
 /// kNoTable with what was seen when no plane qualifies; kBadConfig for a given plane or up direction of zero length.
 Result<Table> findTable(const Frame& frame, const Normals& normals, const TableConfig& config);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/selection/global_selection.hpp"
 
+#include "objectness_segmentation/selection/point_overlap.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -20,29 +22,46 @@ class Random {
   std::mt19937 engine_;
 };
 
+/// For each hypothesis the others that hold one of its points.
+std::vector<std::vector<int>> findRivals(const std::vector<CostHypothesis>& hypotheses, int points) {
+  std::vector<PointSet> held(hypotheses.size(), PointSet((points + 63) / 64, 0));
+  for (std::size_t i = 0; i < hypotheses.size(); ++i) {
+    for (const int p : hypotheses[i].inside) held[i][p / 64] |= std::uint64_t{1} << (p % 64);
+  }
+  std::vector<std::vector<int>> rivals(hypotheses.size());
+  for (std::size_t i = 0; i < hypotheses.size(); ++i) {
+    for (std::size_t j = i + 1; j < hypotheses.size(); ++j) {
+      if (!sharePoints(held[i], held[j])) continue;
+      rivals[i].push_back(static_cast<int>(j));
+      rivals[j].push_back(static_cast<int>(i));
+    }
+  }
+  return rivals;
+}
+
 /// Runs the annealing and remembers the best selection ever met.
 class Annealer {
  public:
   Annealer(const std::vector<CostHypothesis>& hypotheses, int points, const SelectionConfig& config, unsigned seed)
-      : config_(config), cost_(hypotheses, points, config), random_(seed) {
+      : config_(config), cost_(hypotheses, points, config), rivals_(findRivals(hypotheses, points)), random_(seed) {
     best_.active = cost_.active();
   }
 
   Selection run() {
     const int n = cost_.size();
     if (n == 0) return best_;
-    const double cooling = config_.iterations > 1
-        ? std::pow(config_.end_temperature / std::max(config_.start_temperature, config_.end_temperature),
-                   1.0 / (config_.iterations - 1))
-        : 1.0;
+    const double end = std::min(config_.end_temperature, config_.start_temperature);
+    const double cooling =
+        config_.iterations > 1 ? std::pow(end / config_.start_temperature, 1.0 / (config_.iterations - 1)) : 1.0;
     double temperature = config_.start_temperature;
     for (int step = 0; step < config_.iterations; ++step, temperature *= cooling) {
-      const int i = random_.below(n), j = random_.below(n);
-      // A swap leaves one box for another in a single step; on its own, either flip may cost more than the swap gains.
-      if (i != j && cost_.active()[i] != cost_.active()[j] && random_.unit() < 0.5) {
-        trySwap(i, j, temperature);
+      const int i = random_.below(n), j = random_.below(n), kind = random_.below(4);
+      if (kind == 0 && cost_.active()[i] != cost_.active()[j]) {
+        attempt({i, j}, temperature);
+      } else if (kind == 1 && !cost_.active()[i]) {
+        attempt(takeover(i), temperature);
       } else {
-        tryFlip(i, temperature);
+        attempt({i}, temperature);
       }
     }
     descend();
@@ -50,66 +69,67 @@ class Annealer {
   }
 
  private:
-  bool accept(double delta, double temperature) {
-    return delta <= 0 || (temperature > 0 && random_.unit() < std::exp(-delta / temperature));
-  }
-
-  void tryFlip(int i, double temperature) {
-    if (!accept(cost_.flipDelta(i), temperature)) return;
-    cost_.flip(i);
-    remember();
-  }
-
-  void trySwap(int i, int j, double temperature) {
-    const double first = cost_.flip(i);
-    if (accept(first + cost_.flipDelta(j), temperature)) {
-      cost_.flip(j);
-      remember();
-    } else {
-      cost_.flip(i);
+  /// The flips that activate i in the place of all active boxes that hold points of it. One by one, a box that is better than
+  /// the two that share its object would first have to be paid for twice.
+  std::vector<int> takeover(int i) const {
+    std::vector<int> flips = {i};
+    for (const int rival : rivals_[i]) {
+      if (cost_.active()[rival]) flips.push_back(rival);
     }
+    return flips;
+  }
+
+  double apply(const std::vector<int>& flips) {
+    double delta = 0;
+    for (const int i : flips) delta += cost_.flip(i);
+    return delta;
+  }
+
+  /// Does the flips if the temperature lets them pass.
+  bool attempt(const std::vector<int>& flips, double temperature) {
+    const double delta = flips.size() == 1 ? cost_.flipDelta(flips[0]) : apply(flips);
+    const bool accepted = delta <= 0 || (temperature > 0 && random_.unit() < std::exp(-delta / temperature));
+    if (accepted == (flips.size() == 1)) apply(flips);
+    if (accepted) remember();
+    return accepted;
   }
 
   void remember() {
     // The margin keeps rounding of the running sum from calling the same selection better.
-    if (cost_.cost() < best_.cost - 1e-9) best_ = {cost_.active(), cost_.cost()};
+    if (cost_.cost() < best_.cost - kRounding) best_ = {cost_.active(), cost_.cost()};
   }
 
-  /// From the best selection down to where neither a flip nor a swap gains.
+  /// Does the flips if they gain.
+  bool improve(const std::vector<int>& flips) {
+    if (apply(flips) < -kRounding) return true;
+    apply(flips);
+    return false;
+  }
+
+  /// From the best selection down to where no flip, takeover or swap gains.
   void descend() {
-    for (int i = 0; i < cost_.size(); ++i) {
+    const int n = cost_.size();
+    for (int i = 0; i < n; ++i) {
       if (cost_.active()[i] != best_.active[i]) cost_.flip(i);
     }
     for (bool improved = true; improved;) {
       improved = false;
-      for (int i = 0; i < cost_.size(); ++i) {
-        if (cost_.flipDelta(i) < -1e-9) {
-          cost_.flip(i);
-          improved = true;
+      for (int i = 0; i < n; ++i) {
+        improved |= improve({i});
+        if (!cost_.active()[i]) improved |= improve(takeover(i));
+        for (const int j : rivals_[i]) {
+          if (cost_.active()[i] != cost_.active()[j]) improved |= improve({i, j});
         }
-      }
-      for (int i = 0; i < cost_.size(); ++i) {
-        if (!cost_.active()[i]) continue;
-        const double first = cost_.flip(i);
-        int partner = i;
-        double lowest = -1e-9;
-        for (int j = 0; j < cost_.size(); ++j) {
-          if (cost_.active()[j] || j == i) continue;
-          const double delta = first + cost_.flipDelta(j);
-          if (delta < lowest) {
-            lowest = delta;
-            partner = j;
-          }
-        }
-        cost_.flip(partner);
-        improved |= partner != i;
       }
     }
     remember();
   }
 
+  static constexpr double kRounding = 1e-9;
+
   const SelectionConfig config_;
   GlobalCost cost_;
+  const std::vector<std::vector<int>> rivals_;
   Random random_;
   Selection best_;
 };

@@ -26,6 +26,13 @@ int countShared(const PointSet& a, const PointSet& b) {
   return count;
 }
 
+bool sharePoints(const PointSet& a, const PointSet& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a[i] & b[i]) return true;
+  }
+  return false;
+}
+
 std::vector<int> listPoints(const PointSet& set) {
   std::vector<int> list;
   for (std::size_t i = 0; i < set.size(); ++i) {

@@ -102,7 +102,9 @@ TEST(Pipeline, LabelsAgreeWithTheSegments) {
       ASSERT_EQ(owner[pixel], 0) << "a pixel in two segments";
       owner[pixel] = static_cast<int>(k) + 2;
     }
-    if (k > 0) EXPECT_GE(result.segments[k - 1].objectness, result.segments[k].objectness);
+    if (k > 0) {
+      EXPECT_GE(result.segments[k - 1].objectness, result.segments[k].objectness);
+    }
   }
   for (int i = 0; i < frame.size(); ++i) {
     const int label = result.labels(i / frame.width(), i % frame.width());

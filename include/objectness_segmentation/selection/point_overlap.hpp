@@ -14,6 +14,7 @@ using PointSet = std::vector<std::uint64_t>;
 
 int countPoints(const PointSet& set);
 int countShared(const PointSet& a, const PointSet& b);
+bool sharePoints(const PointSet& a, const PointSet& b);
 std::vector<int> listPoints(const PointSet& set);
 
 /// Answers kappa(p, b) of Eq. 9 for all points at once: which scene points lie in a box of one angle.

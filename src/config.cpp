@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/config_fields.hpp"
-
 #include <cmath>
 #include <sstream>
+
+#include "objectness_segmentation/config_fields.hpp"
 
 namespace objectness {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/pipeline.hpp"
 
+#include <exception>
+
 #include "objectness_segmentation/search/angle_search.hpp"
 #include "objectness_segmentation/selection/hypotheses.hpp"
-
-#include <exception>
 
 namespace objectness {
 namespace {
@@ -16,7 +16,8 @@ SearchSettings searchSettings(const Config& config) {
   return {config.volume, config.search, config.objectness, config.filter.threshold, config.runtime.threads};
 }
 
-std::vector<SelectedBox> chosenBoxes(const Hypotheses& candidates, const Selection& selection, const SearchOutcome& search) {
+std::vector<SelectedBox> chosenBoxes(const Hypotheses& candidates, const Selection& selection,
+                                     const SearchOutcome& search) {
   std::vector<SelectedBox> chosen;
   for (std::size_t i = 0; i < candidates.boxes.size(); ++i) {
     if (selection.active[i]) chosen.push_back({candidates.boxes[i], search.grids[candidates.boxes[i].box.angle]});
@@ -66,7 +67,8 @@ void run(const Frame& frame, const Config& config, const std::atomic<bool>* canc
 
   // Sec. 4.1: clusters, conflicts, non-maximum suppression.
   const Hypotheses candidates = stage("filter", [&] {
-    return filterByObjectness(search.boxes, search.grids, points.points, config.filter, config.selection, config.runtime.threads);
+    return filterByObjectness(search.boxes, search.grids, points.points, config.filter, config.selection,
+                              config.runtime.threads);
   });
   count("hypotheses", candidates.boxes.size());
 

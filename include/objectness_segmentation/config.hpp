@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "objectness_segmentation/cues/edges.hpp"
 #include "objectness_segmentation/cues/superpixels.hpp"
 #include "objectness_segmentation/integral/volume_config.hpp"
@@ -14,9 +17,6 @@
 #include "objectness_segmentation/selection/box_filter.hpp"
 #include "objectness_segmentation/selection/global_selection.hpp"
 
-#include <string>
-#include <vector>
-
 namespace objectness {
 
 struct RuntimeConfig {
@@ -25,13 +25,14 @@ struct RuntimeConfig {
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
-    visit("threads", self.threads, Range{0, 64}, "worker threads, 0: one per processor; the result does not depend on it");
+    visit("threads", self.threads, Range{0, 64},
+          "worker threads, 0: one per processor; the result does not depend on it");
     visit("seed", self.seed, Range{0, 2147483647}, "seed of the annealing");
   }
 };
 
-/// Everything that can be set, a struct per stage in the order of the pipeline. A field's full name is "group.field", as in
-/// the YAML presets ("objectness.weight_edges").
+/// Everything that can be set, a struct per stage in the order of the pipeline. A field's full name is "group.field",
+/// as in the YAML presets ("objectness.weight_edges").
 struct Config {
   InputConfig input;
   NormalsConfig normals;
@@ -65,8 +66,8 @@ struct Config {
   }
 };
 
-/// Every value outside its range and every contradiction between fields, a sentence each that names the field, its value
-/// and what is accepted; empty = valid.
+/// Every value outside its range and every contradiction between fields, a sentence each that names the field, its
+/// value and what is accepted; empty = valid.
 std::vector<std::string> validate(const Config& config);
 
 }  // namespace objectness

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "objectness_segmentation/config.hpp"
-
 #include <string>
 #include <variant>
 #include <vector>
+
+#include "objectness_segmentation/config.hpp"
 
 namespace objectness {
 

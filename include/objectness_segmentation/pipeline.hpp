@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
+
 #include "objectness_segmentation/config.hpp"
 #include "objectness_segmentation/result.hpp"
 #include "objectness_segmentation/scene/frame.hpp"
-
-#include <atomic>
 
 namespace objectness {
 

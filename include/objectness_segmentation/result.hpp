@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "objectness_segmentation/common/stage_timer.hpp"
 #include "objectness_segmentation/common/status.hpp"
 #include "objectness_segmentation/cues/edges.hpp"
@@ -9,16 +14,11 @@
 #include "objectness_segmentation/scene/table.hpp"
 #include "objectness_segmentation/segments/segments.hpp"
 
-#include <cstdint>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace objectness {
 
 /// What was done and how long it took: read by the tools, the messages and the diagnostics alike.
 struct Report {
-  StageTimes timings_ms;                                   ///< per stage, in order; "total" last
+  StageTimes timings_ms;                                     ///< per stage, in order; "total" last
   std::vector<std::pair<std::string, std::int64_t>> counts;  ///< "boxes_sampled", "boxes_scored", "boxes_passed", ...
 };
 

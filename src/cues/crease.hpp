@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "objectness_segmentation/scene/normals.hpp"
-
 #include <array>
+
+#include "objectness_segmentation/scene/normals.hpp"
 
 namespace objectness {
 
-constexpr int kMinWindowPx = 3;         // normals of smaller windows are noise
+constexpr int kMinWindowPx = 3;        // normals of smaller windows are noise
 constexpr double kGrazingSlope = 8.0;  // depth change per z / f of a surface seen at about 83 deg
 
 /// The directions a bend is looked for in: right, down and the two diagonals, in pixels.
@@ -17,9 +17,9 @@ constexpr std::array<std::array<int, 2>, 4> kBendDirections{{{{1, 0}}, {{0, 1}},
 /// 1 - cos(angle), so that it reads the same at any resolution, depth and window. 0 where it does not bend that way or
 /// no normals can be compared; a window radius never reaches across a depth jump, so neither does this.
 struct BendMap {
-  cv::Mat_<float> convex;      ///< H x W, the sharpest of the four directions
-  cv::Mat_<float> concave;     ///< H x W
-  cv::Mat_<uchar> direction;   ///< H x W, index into kBendDirections of the sharper of the two
+  cv::Mat_<float> convex;     ///< H x W, the sharpest of the four directions
+  cv::Mat_<float> concave;    ///< H x W
+  cv::Mat_<uchar> direction;  ///< H x W, index into kBendDirections of the sharper of the two
 };
 
 /// Bends of the pixels where `where` is set.

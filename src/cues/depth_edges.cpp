@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "crease.hpp"
-#include "edge_detectors.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "crease.hpp"
+#include "edge_detectors.hpp"
 
 namespace objectness {
 namespace {
@@ -15,7 +15,11 @@ constexpr int kNone = -1;
 class DepthEdgeFinder {
  public:
   DepthEdgeFinder(const Frame& frame, const Normals& normals, const DepthNoise& noise, const EdgesConfig& config)
-      : frame_(frame), normals_(normals), noise_(noise), config_(config), focal_(frame.camera.focal()),
+      : frame_(frame),
+        normals_(normals),
+        noise_(noise),
+        config_(config),
+        focal_(frame.camera.focal()),
         kinds_(cv::Mat_<uchar>::zeros(frame.height(), frame.width())) {}
 
   cv::Mat_<uchar> run() {

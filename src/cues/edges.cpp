@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/cues/edges.hpp"
 
-#include "crease.hpp"
-#include "edge_detectors.hpp"
-
-#include <opencv2/imgproc.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <opencv2/imgproc.hpp>
 #include <vector>
+
+#include "crease.hpp"
+#include "edge_detectors.hpp"
 
 namespace objectness {
 namespace {

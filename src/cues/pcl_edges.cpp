@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edge_detectors.hpp"
-
 #include <pcl/features/organized_edge_detection.h>
 #include <pcl/point_types.h>
 
 #include <cmath>
 #include <limits>
+
+#include "edge_detectors.hpp"
 
 namespace objectness {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/cues/superpixels.hpp"
 
-#include "crease.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "crease.hpp"
 
 namespace objectness {
 namespace {
@@ -47,7 +47,10 @@ std::vector<uchar> smoothPixels(const Frame& frame, const Normals& normals, cons
 class Grower {
  public:
   Grower(const Frame& frame, const Normals& normals, const DepthNoise& noise, const SuperpixelsConfig& config)
-      : frame_(frame), normals_(normals), noise_(noise), config_(config),
+      : frame_(frame),
+        normals_(normals),
+        noise_(noise),
+        config_(config),
         min_cosine_(static_cast<float>(std::cos(config.neighbor_deg * M_PI / 180))) {}
 
   /// The connected component of `open` around a seed, 8 neighbours; it is closed on the way.

@@ -7,8 +7,8 @@
 
 namespace objectness {
 
-CuePoints collectCuePoints(const Frame& frame, const Table& table, const ObjectPoints& object_points, const EdgeMap& edges,
-                           const Superpixels& superpixels) {
+CuePoints collectCuePoints(const Frame& frame, const Table& table, const ObjectPoints& object_points,
+                           const EdgeMap& edges, const Superpixels& superpixels) {
   const Eigen::Isometry3f T_table_camera = table.T_table_camera.cast<float>();
   CuePoints cues;
   cues.superpixels = superpixels.count;
@@ -50,7 +50,8 @@ Grid makeGrid(const CuePoints& points, double angle_rad, const VolumeConfig& con
   int size[2];
   for (int axis = 0; axis < 2; ++axis) {
     // Snapped to multiples of a voxel, so that the grid does not slide with every point of noise.
-    long first = std::lround(std::floor(low[axis] / config.voxel_m)), last = std::lround(std::floor(high[axis] / config.voxel_m));
+    long first = std::lround(std::floor(low[axis] / config.voxel_m)),
+         last = std::lround(std::floor(high[axis] / config.voxel_m));
     const long missing = std::lround(std::ceil(config.min_extent_m / config.voxel_m)) - (last - first + 1);
     if (missing > 0) {
       first -= missing / 2;

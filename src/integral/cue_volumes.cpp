@@ -12,8 +12,8 @@ Eigen::Vector3i voxelOf(const Grid& grid, const Eigen::Vector3f& p_table) {
   const Eigen::Vector3d q = grid.toGrid(p_table.cast<double>());
   const Eigen::Vector3i voxel(static_cast<int>(std::floor(q.x())), static_cast<int>(std::floor(q.y())),
                               static_cast<int>(std::floor(q.z())));
-  const bool inside = voxel.x() >= 0 && voxel.x() < grid.nx && voxel.y() >= 0 && voxel.y() < grid.ny && voxel.z() >= 0 &&
-                      voxel.z() < grid.nz;
+  const bool inside = voxel.x() >= 0 && voxel.x() < grid.nx && voxel.y() >= 0 && voxel.y() < grid.ny &&
+                      voxel.z() >= 0 && voxel.z() < grid.nz;
   return inside ? voxel : Eigen::Vector3i(-1, -1, -1);
 }
 

@@ -4,7 +4,10 @@
 namespace objectness {
 
 IntegralVolume::IntegralVolume(int nx, int ny, int nz, int padding)
-    : nx_(nx), ny_(ny), nz_(nz), stride_(static_cast<std::size_t>(nz) + 1 + padding),
+    : nx_(nx),
+      ny_(ny),
+      nz_(nz),
+      stride_(static_cast<std::size_t>(nz) + 1 + padding),
       table_((static_cast<std::size_t>(nx) + 1) * (ny + 1) * stride_, 0) {}
 
 void IntegralVolume::integrate() {

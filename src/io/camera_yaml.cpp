@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/io/camera_yaml.hpp"
 
-#include "file_access.hpp"
-
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <iomanip>
 #include <sstream>
 #include <vector>
+
+#include "file_access.hpp"
 
 namespace objectness {
 namespace {

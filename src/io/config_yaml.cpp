@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/io/config_yaml.hpp"
 
-#include "objectness_segmentation/config_fields.hpp"
-
-#include "file_access.hpp"
-#include "name_suggestion.hpp"
-
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <iomanip>
 #include <limits>
 #include <sstream>
+
+#include "file_access.hpp"
+#include "name_suggestion.hpp"
+#include "objectness_segmentation/config_fields.hpp"
 
 namespace objectness {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "objectness_segmentation/common/status.hpp"
-
 #include <cstdint>
 #include <string>
+
+#include "objectness_segmentation/common/status.hpp"
 
 namespace objectness {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/io/input_file.hpp"
 
+#include <filesystem>
+
 #include "objectness_segmentation/io/pcd_file.hpp"
 #include "objectness_segmentation/io/scene_folder.hpp"
-
-#include <filesystem>
 
 namespace objectness {
 namespace fs = std::filesystem;

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/io/overlay.hpp"
 
-#include "objectness_segmentation/common/color_palette.hpp"
-
-#include <opencv2/imgproc.hpp>
-
 #include <algorithm>
 #include <array>
+#include <opencv2/imgproc.hpp>
 #include <optional>
+
+#include "objectness_segmentation/common/color_palette.hpp"
 
 namespace objectness {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/io/pcd_file.hpp"
 
-#include "pcd_header.hpp"
-
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/console/print.h>
 #include <pcl/io/pcd_io.h>
 
 #include <array>
 #include <cstring>
+
+#include "pcd_header.hpp"
 
 namespace objectness {
 namespace {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "png_file.hpp"
 
-#include "file_access.hpp"
-
 #include <boost/crc.hpp>
+#include <cstdint>
 #include <opencv2/imgcodecs.hpp>
 
-#include <cstdint>
+#include "file_access.hpp"
 
 namespace objectness {
 namespace {

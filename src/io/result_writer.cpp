@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/io/result_writer.hpp"
 
-#include "objectness_segmentation/io/overlay.hpp"
-
-#include "file_access.hpp"
-#include "png_file.hpp"
-
-#include <nlohmann/json.hpp>
-
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "file_access.hpp"
+#include "objectness_segmentation/io/overlay.hpp"
+#include "png_file.hpp"
 
 namespace objectness {
 namespace fs = std::filesystem;

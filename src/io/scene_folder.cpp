@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/io/scene_folder.hpp"
 
-#include "objectness_segmentation/io/camera_yaml.hpp"
+#include <filesystem>
 
 #include "file_access.hpp"
+#include "objectness_segmentation/io/camera_yaml.hpp"
 #include "png_file.hpp"
-
-#include <filesystem>
 
 namespace objectness {
 namespace fs = std::filesystem;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/objectness/objectness.hpp"
 
-#include "objectness_segmentation/objectness/cue_scores.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "objectness_segmentation/objectness/cue_scores.hpp"
 
 namespace objectness {
 
@@ -14,10 +14,12 @@ double objectness(const CueValues& cues, const ObjectnessConfig& config) {
 }
 
 Ring ringOf(const ObjectnessConfig& config, double voxel_m) {
-  return {static_cast<int>(std::lround(config.ring_xy_m / voxel_m)), static_cast<int>(std::lround(config.ring_z_m / voxel_m))};
+  return {static_cast<int>(std::lround(config.ring_xy_m / voxel_m)),
+          static_cast<int>(std::lround(config.ring_z_m / voxel_m))};
 }
 
-std::optional<ScoredBox> scoreBox(const CueVolumes& volumes, const Box& b, const Ring& ring, const ObjectnessConfig& config) {
+std::optional<ScoredBox> scoreBox(const CueVolumes& volumes, const Box& b, const Ring& ring,
+                                  const ObjectnessConfig& config) {
   const int edges = volumes.edges.count(b.x0, b.x1, b.y0, b.y1, b.height);
   if (edges < config.min_edge_voxels) return std::nullopt;
 
@@ -36,9 +38,9 @@ std::optional<ScoredBox> scoreBox(const CueVolumes& volumes, const Box& b, const
   }
 
   const double area = config.three_face_area ? threeFaceArea(b) : visibleArea(b, volumes.viewpoint);
-  const int expanded = volumes.edges.count(std::max(b.x0 - ring.xy, 0), std::min(b.x1 + ring.xy, volumes.grid.nx),
-                                           std::max(b.y0 - ring.xy, 0), std::min(b.y1 + ring.xy, volumes.grid.ny),
-                                           b.height + ring.z);
+  const int expanded =
+      volumes.edges.count(std::max(b.x0 - ring.xy, 0), std::min(b.x1 + ring.xy, volumes.grid.nx),
+                          std::max(b.y0 - ring.xy, 0), std::min(b.y1 + ring.xy, volumes.grid.ny), b.height + ring.z);
   const int filled = volumes.filled.count(b.x0, b.x1, b.y0, b.y1, b.height);
   CueValues cues;
   cues.edge_density = static_cast<float>(std::min(edgeDensity(edges, area), config.max_edge_density));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/ros/input_conversions.hpp"
-
 #include <algorithm>
+
+#include "objectness_segmentation/ros/input_conversions.hpp"
 
 namespace objectness_segmentation {
 

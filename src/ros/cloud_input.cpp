@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/ros/input_conversions.hpp"
-
 #include <cstring>
 #include <limits>
 #include <optional>
 #include <string>
+
+#include "objectness_segmentation/ros/input_conversions.hpp"
 
 namespace objectness_segmentation {
 namespace {

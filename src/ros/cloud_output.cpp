@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_output.hpp"
 
+#include <cstring>
+
 #include "objectness_segmentation/common/color_palette.hpp"
 #include "objectness_segmentation/ros/output_conversions.hpp"
-
-#include <cstring>
 
 namespace objectness_segmentation {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cstdio>
+
 #include "geometry_output.hpp"
 #include "objectness_segmentation/common/color_palette.hpp"
 #include "objectness_segmentation/ros/output_conversions.hpp"
-
-#include <cstdio>
 
 namespace objectness_segmentation {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <string>
+
 #include "cloud_output.hpp"
 #include "geometry_output.hpp"
 #include "objectness_segmentation/ros/output_conversions.hpp"
-
-#include <string>
 
 namespace objectness_segmentation {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Plays a camera driver with a scene from files: the organized cloud and its camera_info, again and again.
-#include "objectness_segmentation/io/input_file.hpp"
-#include "objectness_segmentation/ros/scene_messages.hpp"
-#include "objectness_segmentation/ros/topics.hpp"
-
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/ros.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 
 #include <cstdio>
 #include <string>
+
+#include "objectness_segmentation/io/input_file.hpp"
+#include "objectness_segmentation/ros/scene_messages.hpp"
+#include "objectness_segmentation/ros/topics.hpp"
 
 namespace {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/ros/scene_messages.hpp"
 
-#include "cloud_output.hpp"
-
 #include <sensor_msgs/distortion_models.h>
 
 #include <numeric>
+
+#include "cloud_output.hpp"
 
 namespace objectness_segmentation {
 

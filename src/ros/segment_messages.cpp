@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/ros/segment_messages.hpp"
 
-#include "objectness_segmentation/pipeline.hpp"
-#include "objectness_segmentation/ros/input_conversions.hpp"
-
 #include <exception>
 #include <string>
 #include <utility>
+
+#include "objectness_segmentation/pipeline.hpp"
+#include "objectness_segmentation/ros/input_conversions.hpp"
 
 namespace objectness_segmentation {
 namespace {

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segment_objects_nodelet.hpp"
 
+#include <algorithm>
+#include <boost/make_shared.hpp>
+#include <pluginlib/class_list_macros.hpp>
+
 #include "objectness_segmentation/io/config_yaml.hpp"
 #include "objectness_segmentation/ros/diagnostics.hpp"
 #include "objectness_segmentation/ros/output_conversions.hpp"
 #include "objectness_segmentation/ros/params.hpp"
 #include "objectness_segmentation/ros/topics.hpp"
-
-#include <boost/make_shared.hpp>
-#include <pluginlib/class_list_macros.hpp>
-
-#include <algorithm>
 
 namespace objectness_segmentation {
 namespace {

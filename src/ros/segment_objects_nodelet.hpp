@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "objectness_segmentation/ros/frame_statistics.hpp"
-#include "objectness_segmentation/ros/latest_only_worker.hpp"
-#include "objectness_segmentation/ros/segment_messages.hpp"
-#include "objectness_segmentation/ros/synchronized_inputs.hpp"
-
-#include <objectness_segmentation/ObjectnessSegmentationConfig.h>
-
-#include <boost/thread/recursive_mutex.hpp>
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <dynamic_reconfigure/server.h>
 #include <nodelet/nodelet.h>
+#include <objectness_segmentation/ObjectnessSegmentationConfig.h>
 
+#include <boost/thread/recursive_mutex.hpp>
 #include <chrono>
 #include <map>
 #include <memory>
 #include <mutex>
+
+#include "objectness_segmentation/ros/frame_statistics.hpp"
+#include "objectness_segmentation/ros/latest_only_worker.hpp"
+#include "objectness_segmentation/ros/segment_messages.hpp"
+#include "objectness_segmentation/ros/synchronized_inputs.hpp"
 
 namespace objectness_segmentation {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/ros/synchronized_inputs.hpp"
 
-#include "objectness_segmentation/ros/topics.hpp"
-
 #include <utility>
+
+#include "objectness_segmentation/ros/topics.hpp"
 
 namespace objectness_segmentation {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/search/angle_search.hpp"
 
+#include <algorithm>
+#include <cstdio>
+
 #include "objectness_segmentation/common/parallel.hpp"
 #include "objectness_segmentation/integral/cue_volumes.hpp"
 #include "objectness_segmentation/search/search.hpp"
-
-#include <algorithm>
-#include <cstdio>
 
 namespace objectness {
 namespace {
@@ -19,8 +19,9 @@ Status checkSize(const Grid& grid) {
   char message[256];
   std::snprintf(message, sizeof(message),
                 "the volume of interest is %.2f x %.2f x %.2f m, %ld voxels of %.3f m, over the limit of %ld: lower "
-                "input.max_depth_m or raise volume.voxel_m", grid.nx * grid.voxel_m, grid.ny * grid.voxel_m,
-                grid.nz * grid.voxel_m, grid.voxels(), grid.voxel_m, kMaxVoxels);
+                "input.max_depth_m or raise volume.voxel_m",
+                grid.nx * grid.voxel_m, grid.ny * grid.voxel_m, grid.nz * grid.voxel_m, grid.voxels(), grid.voxel_m,
+                kMaxVoxels);
   return Status::error(StatusCode::kVolumeTooLarge, message);
 }
 
@@ -38,7 +39,8 @@ SearchOutcome searchAllAngles(const Frame& frame, const Table& table, const CueP
   SearchOutcome outcome;
   const SearchTask task{samplingOf(settings.search, settings.volume.voxel_m),
                         ringOf(settings.objectness, settings.volume.voxel_m), settings.objectness, settings.threshold};
-  // A margin of one step on either side: a box can then enclose what lies at the border tightly, in every phase of the steps.
+  // A margin of one step on either side: a box can then enclose what lies at the border tightly, in every phase of the
+  // steps.
   const int margin = std::max({task.sampling.corner_step, task.sampling.size_step_xy, task.sampling.min_size});
   for (const double angle : sampledAngles(settings.search)) {
     outcome.grids.push_back(

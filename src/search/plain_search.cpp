@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/search/search.hpp"
-
 #include <algorithm>
+
+#include "objectness_segmentation/search/search.hpp"
 
 namespace objectness {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/search/scan_kernel.hpp"
 
-// Dispatch by ifunc instead of -mavx2: Eigen and PCL code built for another alignment than Debian's libraries crashes inside
-// a nodelet manager. No Eigen and no std container may be used in this file.
+// Dispatch by ifunc instead of -mavx2: Eigen and PCL code built for another alignment than Debian's libraries crashes
+// inside a nodelet manager. No Eigen and no std container may be used in this file.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(OBJECTNESS_PORTABLE)
 #define OBJECTNESS_CLONES __attribute__((target_clones("avx2", "default")))
 #else
@@ -28,7 +28,8 @@ float boundHeights(const ScanFootprint& footprint, const ScanConstants& constant
     const float per_area = area > 0 ? 1.0f / area : 0.0f;
     const float density = edges * per_area < k.max_edge_density ? edges * per_area : k.max_edge_density;
     const float outer = edges / (ring > 1.0f ? ring : 1.0f);
-    float value = k.weight_edges * density + outer_gain * outer + k.weight_free * (base * height - filled) * per_area + k.constant;
+    float value = k.weight_edges * density + outer_gain * outer + k.weight_free * (base * height - filled) * per_area +
+                  k.constant;
     value = edges >= k.min_edges ? value : -1e30f;
     bound[h - first] = value;
     best = value > best ? value : best;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/search/scan_kernel.hpp"
-#include "objectness_segmentation/search/search.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "objectness_segmentation/search/scan_kernel.hpp"
+#include "objectness_segmentation/search/search.hpp"
 
 namespace objectness {
 namespace {
@@ -17,7 +17,10 @@ FootprintColumns columnsAt(const IntegralVolume& volume, int x0, int x1, int y0,
 class Scan {
  public:
   Scan(const CueVolumes& volumes, int angle, const SearchTask& task)
-      : volumes_(volumes), task_(task), s_(task.sampling), angle_(angle),
+      : volumes_(volumes),
+        task_(task),
+        s_(task.sampling),
+        angle_(angle),
         tallest_(std::min(task.sampling.max_size, volumes.grid.nz)) {
     const ObjectnessConfig& o = task.objectness;
     constants_ = {static_cast<float>(o.weight_edges),     static_cast<float>(o.weight_outer),
@@ -25,8 +28,8 @@ class Scan {
                   static_cast<float>(o.max_edge_density), o.weight_outer >= 0 ? 1.0f : 0.0f,
                   static_cast<float>(o.min_edge_voxels)};
     // The kernel rounds to float: what it may lose is far below this, and scoreBox() decides anyway.
-    const double scale = std::abs(o.weight_edges) * o.max_edge_density + std::abs(o.weight_outer) + std::abs(o.constant) +
-                         std::abs(task.threshold) + 1;
+    const double scale = std::abs(o.weight_edges) * o.max_edge_density + std::abs(o.weight_outer) +
+                         std::abs(o.constant) + std::abs(task.threshold) + 1;
     needed_ = static_cast<float>(task.threshold - 1e-5 * scale);
     for (int h = 0; h <= tallest_; ++h) {
       top_visible_.push_back(o.three_face_area || volumes.viewpoint.z() > h ? 1.0f : 0.0f);
@@ -65,8 +68,8 @@ class Scan {
     const int r = task_.ring.xy;
     ScanFootprint footprint;
     footprint.edges = columnsAt(volumes_.edges, x0, x1, y0, y1, 0);
-    footprint.ring = columnsAt(volumes_.edges, std::max(x0 - r, 0), std::min(x1 + r, volumes_.grid.nx), std::max(y0 - r, 0),
-                               std::min(y1 + r, volumes_.grid.ny), task_.ring.z);
+    footprint.ring = columnsAt(volumes_.edges, std::max(x0 - r, 0), std::min(x1 + r, volumes_.grid.nx),
+                               std::max(y0 - r, 0), std::min(y1 + r, volumes_.grid.ny), task_.ring.z);
     footprint.filled = columnsAt(volumes_.filled, x0, x1, y0, y1, 0);
     footprint.base = static_cast<float>((x1 - x0) * (y1 - y0));
     const Eigen::Vector3d& eye = volumes_.viewpoint;

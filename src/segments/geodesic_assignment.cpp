@@ -9,7 +9,8 @@
 
 namespace objectness {
 
-void assignGeodesic(const Frame& frame, const cv::Mat_<uchar>& open, const GeodesicLimits& limits, cv::Mat_<int>& owner) {
+void assignGeodesic(const Frame& frame, const cv::Mat_<uchar>& open, const GeodesicLimits& limits,
+                    cv::Mat_<int>& owner) {
   const int width = frame.width(), height = frame.height();
   using Entry = std::tuple<float, int, int>;  // distance, owner, pixel: the order makes ties independent of the queue
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;

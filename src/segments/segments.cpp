@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/segments/segments.hpp"
 
-#include "objectness_segmentation/segments/geodesic_assignment.hpp"
-
 #include <algorithm>
+
+#include "objectness_segmentation/segments/geodesic_assignment.hpp"
 
 namespace objectness {
 namespace {
@@ -15,9 +15,12 @@ bool holds(const SelectedBox& selected, const Eigen::Vector3f& p_table, double m
          q.y() < b.y1 + margin_voxels && q.z() < b.height + margin_voxels;
 }
 
-/// For each superpixel the box that holds most of its points, -1 where no box holds enough. in_box[k][i]: point i in box k.
-std::vector<int> followedBoxes(const CuePoints& points, const std::vector<std::vector<bool>>& in_box, double min_share) {
-  std::vector<int> size(points.superpixels + 1, 0), best(points.superpixels + 1, -1), best_count(points.superpixels + 1, 0);
+/// For each superpixel the box that holds most of its points, -1 where no box holds enough. in_box[k][i]: point i in
+/// box k.
+std::vector<int> followedBoxes(const CuePoints& points, const std::vector<std::vector<bool>>& in_box,
+                               double min_share) {
+  std::vector<int> size(points.superpixels + 1, 0), best(points.superpixels + 1, -1),
+      best_count(points.superpixels + 1, 0);
   for (const int label : points.labels) ++size[label];
   for (std::size_t k = 0; k < in_box.size(); ++k) {
     std::vector<int> count(points.superpixels + 1, 0);
@@ -83,7 +86,8 @@ cv::Mat_<ushort> labelImage(const cv::Mat_<uchar>& on_table, const std::vector<S
   cv::Mat_<ushort> labels(on_table.size(), static_cast<ushort>(0));
   labels.setTo(1, on_table);
   for (std::size_t k = 0; k < segments.size(); ++k) {
-    for (const int pixel : segments[k].pixels) labels(pixel / labels.cols, pixel % labels.cols) = static_cast<ushort>(k + 2);
+    for (const int pixel : segments[k].pixels)
+      labels(pixel / labels.cols, pixel % labels.cols) = static_cast<ushort>(k + 2);
   }
   return labels;
 }

@@ -30,7 +30,8 @@ class Clusters {
           if (found == leaders_in_.end()) continue;
           for (const int leader : found->second) {
             const double distance = (leaders_[leader] - centre).norm();
-            if (distance > nearest_distance || (distance == nearest_distance && nearest >= 0 && nearest < leader)) continue;
+            if (distance > nearest_distance || (distance == nearest_distance && nearest >= 0 && nearest < leader))
+              continue;
             nearest = leader;
             nearest_distance = distance;
           }

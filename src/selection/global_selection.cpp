@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/selection/global_selection.hpp"
 
-#include "objectness_segmentation/selection/point_overlap.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <random>
+
+#include "objectness_segmentation/selection/point_overlap.hpp"
 
 namespace objectness {
 namespace {
@@ -69,8 +69,8 @@ class Annealer {
   }
 
  private:
-  /// The flips that activate i in the place of all active boxes that hold points of it. One by one, a box that is better than
-  /// the two that share its object would first have to be paid for twice.
+  /// The flips that activate i in the place of all active boxes that hold points of it. One by one, a box that is
+  /// better than the two that share its object would first have to be paid for twice.
   std::vector<int> takeover(int i) const {
     std::vector<int> flips = {i};
     for (const int rival : rivals_[i]) {

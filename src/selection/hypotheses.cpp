@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/selection/hypotheses.hpp"
 
-#include "objectness_segmentation/common/parallel.hpp"
-#include "objectness_segmentation/selection/scene_points.hpp"
-
 #include <cmath>
 #include <optional>
+
+#include "objectness_segmentation/common/parallel.hpp"
+#include "objectness_segmentation/selection/scene_points.hpp"
 
 namespace objectness {
 

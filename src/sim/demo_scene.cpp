@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/sim/demo_scene.hpp"
 
-#include "objectness_segmentation/sim/depth_sensor.hpp"
-
 #include <random>
+
+#include "objectness_segmentation/sim/depth_sensor.hpp"
 
 namespace objectness::sim {
 namespace {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Writes the built-in demo scene as a scene folder.
-#include "objectness_segmentation/sim/demo_scene.hpp"
-
 #include <boost/program_options.hpp>
-
 #include <iostream>
+
+#include "objectness_segmentation/sim/demo_scene.hpp"
 
 int main(int argc, char** argv) {
   namespace po = boost::program_options;

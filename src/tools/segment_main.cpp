@@ -1,13 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Segments scene folders and PCD files: see `segment --help`.
-#include "objectness_segmentation/io/input_file.hpp"
-#include "objectness_segmentation/io/result_writer.hpp"
-#include "objectness_segmentation/pipeline.hpp"
-
-#include "segment_options.hpp"
-
-#include <opencv2/core/utils/logger.hpp>
-
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,7 +8,13 @@
 #include <iomanip>
 #include <iostream>
 #include <map>
+#include <opencv2/core/utils/logger.hpp>
 #include <sstream>
+
+#include "objectness_segmentation/io/input_file.hpp"
+#include "objectness_segmentation/io/result_writer.hpp"
+#include "objectness_segmentation/pipeline.hpp"
+#include "segment_options.hpp"
 
 namespace {
 

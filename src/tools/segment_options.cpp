@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segment_options.hpp"
 
-#include "objectness_segmentation/io/camera_yaml.hpp"
-#include "objectness_segmentation/io/config_yaml.hpp"
-
-#include <boost/program_options.hpp>
-
 #include <algorithm>
+#include <boost/program_options.hpp>
 #include <filesystem>
 #include <iterator>
 #include <sstream>
+
+#include "objectness_segmentation/io/camera_yaml.hpp"
+#include "objectness_segmentation/io/config_yaml.hpp"
 
 namespace objectness {
 namespace {

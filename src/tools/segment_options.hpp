@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "objectness_segmentation/common/status.hpp"
-#include "objectness_segmentation/config.hpp"
-#include "objectness_segmentation/scene/camera.hpp"
-
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "objectness_segmentation/common/status.hpp"
+#include "objectness_segmentation/config.hpp"
+#include "objectness_segmentation/scene/camera.hpp"
 
 namespace objectness {
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/selection/box_filter.hpp"
-#include "objectness_segmentation/selection/scene_points.hpp"
-
-#include "fixtures/random_volumes.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "fixtures/random_volumes.hpp"
+#include "objectness_segmentation/selection/box_filter.hpp"
+#include "objectness_segmentation/selection/scene_points.hpp"
 
 using namespace objectness;
 using objectness_test::Dice;
@@ -64,8 +63,8 @@ TEST(PointOverlap, HoldsThePointsThatABoxTestHolds) {
         // A face that has grown out of the grid holds everything on its side.
         const bool after_x = box.x0 - grow <= 0 ? q.x() >= -m : q.x() >= box.x0 - grow - m;
         const bool after_y = box.y0 - grow <= 0 ? q.y() >= -m : q.y() >= box.y0 - grow - m;
-        if (after_x && after_y && q.x() < std::min(box.x1 + grow, grid.nx) + m && q.y() < std::min(box.y1 + grow, grid.ny) + m &&
-            q.z() < std::min(box.height + grow, grid.nz) + m) {
+        if (after_x && after_y && q.x() < std::min(box.x1 + grow, grid.nx) + m &&
+            q.y() < std::min(box.y1 + grow, grid.ny) + m && q.z() < std::min(box.height + grow, grid.nz) + m) {
           expected.push_back(i);
         }
       }
@@ -84,8 +83,8 @@ TEST(PointOverlap, CountsSharedPoints) {
 }
 
 TEST(ThinPoints, OnePointACellAndNoneAboveTheTop) {
-  const std::vector<Eigen::Vector3f> points = {{0.001f, 0.001f, 0.001f}, {0.004f, 0.001f, 0.001f}, {-0.001f, 0.001f, 0.001f},
-                                               {0.001f, 0.001f, 0.3f}};
+  const std::vector<Eigen::Vector3f> points = {
+      {0.001f, 0.001f, 0.001f}, {0.004f, 0.001f, 0.001f}, {-0.001f, 0.001f, 0.001f}, {0.001f, 0.001f, 0.3f}};
   const auto thinned = thinPoints(points, 0.005, 0.2);
   ASSERT_EQ(thinned.size(), 2u);
   EXPECT_EQ(thinned[0], points[0]) << "the first of a cell stays";
@@ -106,7 +105,9 @@ class BoxFilter : public ::testing::Test {
     }
     overlaps_.emplace_back(points_, grids_[0], 0);
   }
-  std::vector<BoxHypothesis> run(const std::vector<ScoredBox>& boxes) { return filterBoxes(boxes, grids_, overlaps_, config_); }
+  std::vector<BoxHypothesis> run(const std::vector<ScoredBox>& boxes) {
+    return filterBoxes(boxes, grids_, overlaps_, config_);
+  }
 
   std::vector<Grid> grids_{turnedGrid(0)};
   std::vector<Eigen::Vector3f> points_;
@@ -134,16 +135,16 @@ TEST_F(BoxFilter, SharesAreOfTheBoxWithMorePoints) {
 TEST_F(BoxFilter, ASuppressedBoxSuppressesNothing) {
   // The middle box is in conflict with both others, which share only 80 %: once it is out, the last one stays.
   config_.conflict_share = 0.88;
-  const auto kept = run({scoredBox(10, 20, 10, 20, 10, 1.4f), scoredBox(10, 19, 10, 20, 10, 1.3f),
-                         scoredBox(10, 18, 10, 20, 10, 1.2f)});
+  const auto kept = run(
+      {scoredBox(10, 20, 10, 20, 10, 1.4f), scoredBox(10, 19, 10, 20, 10, 1.3f), scoredBox(10, 18, 10, 20, 10, 1.2f)});
   ASSERT_EQ(kept.size(), 2u);
   EXPECT_FLOAT_EQ(kept[1].scored.objectness, 1.2f);
 }
 
 TEST_F(BoxFilter, TakesTheBestOfACluster) {
   config_.max_boxes_per_cluster = 1;
-  const auto kept = run({scoredBox(10, 20, 10, 20, 10, 1.4f), scoredBox(10, 20, 10, 17, 10, 1.3f),
-                         scoredBox(28, 34, 10, 20, 10, 1.2f)});
+  const auto kept = run(
+      {scoredBox(10, 20, 10, 20, 10, 1.4f), scoredBox(10, 20, 10, 17, 10, 1.3f), scoredBox(28, 34, 10, 20, 10, 1.2f)});
   ASSERT_EQ(kept.size(), 2u) << "the second is the second of its cluster";
   EXPECT_FLOAT_EQ(kept[1].scored.objectness, 1.2f);
 }

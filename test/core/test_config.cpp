@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fixtures/temporary_folder.hpp"
-#include "objectness_segmentation/config_fields.hpp"
-#include "objectness_segmentation/io/config_yaml.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <set>
+
+#include "fixtures/temporary_folder.hpp"
+#include "objectness_segmentation/config_fields.hpp"
+#include "objectness_segmentation/io/config_yaml.hpp"
 
 using namespace objectness;
 using objectness_test::TemporaryFolder;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/objectness/cue_scores.hpp"
-#include "objectness_segmentation/objectness/objectness.hpp"
+#include <gtest/gtest.h>
 
 #include "fixtures/random_volumes.hpp"
-
-#include <gtest/gtest.h>
+#include "objectness_segmentation/objectness/cue_scores.hpp"
+#include "objectness_segmentation/objectness/objectness.hpp"
 
 using namespace objectness;
 
@@ -20,8 +19,10 @@ double visibleAreaByNormals(const Box& b, const Eigen::Vector3d& eye) {
   };
   const double x = 0.5 * (b.x0 + b.x1), y = 0.5 * (b.y0 + b.y1), z = 0.5 * b.height;
   const double sx = b.sizeX(), sy = b.sizeY(), sz = b.height;
-  const Face faces[] = {{{1.0 * b.x0, y, z}, {-1, 0, 0}, sy * sz}, {{1.0 * b.x1, y, z}, {1, 0, 0}, sy * sz},
-                        {{x, 1.0 * b.y0, z}, {0, -1, 0}, sx * sz}, {{x, 1.0 * b.y1, z}, {0, 1, 0}, sx * sz},
+  const Face faces[] = {{{1.0 * b.x0, y, z}, {-1, 0, 0}, sy * sz},
+                        {{1.0 * b.x1, y, z}, {1, 0, 0}, sy * sz},
+                        {{x, 1.0 * b.y0, z}, {0, -1, 0}, sx * sz},
+                        {{x, 1.0 * b.y1, z}, {0, 1, 0}, sx * sz},
                         {{x, y, sz}, {0, 0, 1}, sx * sy}};
   double area = 0;
   for (const auto& face : faces) {
@@ -88,7 +89,9 @@ TEST(Objectness, ScoreBoxAgreesWithCountingVoxels) {
   for (unsigned seed = 0; seed < 30; ++seed) {
     const CueVolumes v = objectness_test::randomVolumes(seed, ring.z);
     const Box b{0, 1, v.grid.nx - 1, 0, v.grid.ny - 1, v.grid.nz - 1};
-    const auto voxel = [](const IntegralVolume& volume, int x, int y, int z) { return volume.count(x, x + 1, y, y + 1, z, z + 1); };
+    const auto voxel = [](const IntegralVolume& volume, int x, int y, int z) {
+      return volume.count(x, x + 1, y, y + 1, z, z + 1);
+    };
     int edges = 0, expanded = 0, filled = 0, occupied = 0;
     for (int x = 0; x < v.grid.nx; ++x) {
       for (int y = 0; y < v.grid.ny; ++y) {

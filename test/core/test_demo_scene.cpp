@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/pipeline.hpp"
-#include "objectness_segmentation/sim/demo_scene.hpp"
-#include "objectness_segmentation/sim/depth_sensor.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
+
+#include "objectness_segmentation/pipeline.hpp"
+#include "objectness_segmentation/sim/demo_scene.hpp"
+#include "objectness_segmentation/sim/depth_sensor.hpp"
 
 using namespace objectness;
 using namespace objectness::sim;

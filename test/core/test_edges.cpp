@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fixtures/cue_view.hpp"
-
-#include "objectness_segmentation/cues/edges.hpp"
-
 #include <gtest/gtest.h>
+
+#include "fixtures/cue_view.hpp"
+#include "objectness_segmentation/cues/edges.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

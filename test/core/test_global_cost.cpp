@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/selection/global_selection.hpp"
-
-#include "fixtures/random_volumes.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "fixtures/random_volumes.hpp"
+#include "objectness_segmentation/selection/global_selection.hpp"
 
 using namespace objectness;
 using objectness_test::Dice;
@@ -16,7 +15,9 @@ constexpr int kPoints = 40;
 
 /// Eq. 8 to 10 written out once more, point by point, straight from the paper.
 double costByTheBook(const std::vector<CostHypothesis>& h, const SelectionConfig& c, const std::vector<bool>& x) {
-  const auto has = [](const std::vector<int>& list, int p) { return std::find(list.begin(), list.end(), p) != list.end(); };
+  const auto has = [](const std::vector<int>& list, int p) {
+    return std::find(list.begin(), list.end(), p) != list.end();
+  };
   double cost = 0;
   for (std::size_t i = 0; i < h.size(); ++i) cost += c.lambda * h[i].free_space * x[i];
   for (int p = 0; p < kPoints; ++p) {
@@ -58,7 +59,8 @@ TEST(GlobalCost, EvaluateIsEq8) {
     config.lambda = dice.unit(), config.weight_multiple = dice.unit(), config.weight_unexplained = 3 * dice.unit();
     std::vector<bool> active(7);
     for (int i = 0; i < 7; ++i) active[i] = dice.below(2);
-    EXPECT_NEAR(GlobalCost::evaluate(hypotheses, kPoints, config, active), costByTheBook(hypotheses, config, active), 1e-9);
+    EXPECT_NEAR(GlobalCost::evaluate(hypotheses, kPoints, config, active), costByTheBook(hypotheses, config, active),
+                1e-9);
   }
 }
 
@@ -120,7 +122,8 @@ TEST(GlobalSelection, KeepsTheBestEverMet) {
   EXPECT_LE(selection.cost, 0);
   EXPECT_NEAR(selection.cost, GlobalCost::evaluate(hypotheses, kPoints, config, selection.active), 1e-6);
   config.iterations = 0;
-  EXPECT_LE(selection.cost, selectHypotheses(hypotheses, kPoints, config, 3).cost + 1e-9) << "no worse than descent alone";
+  EXPECT_LE(selection.cost, selectHypotheses(hypotheses, kPoints, config, 3).cost + 1e-9)
+      << "no worse than descent alone";
 }
 
 TEST(GlobalSelection, SameSeedSameSelection) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fixtures/random_volumes.hpp"
-
-#include "objectness_segmentation/integral/integral_volume.hpp"
-
 #include <gtest/gtest.h>
+
+#include "fixtures/random_volumes.hpp"
+#include "objectness_segmentation/integral/integral_volume.hpp"
 
 using namespace objectness;
 using objectness_test::Dice;

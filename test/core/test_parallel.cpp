@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/common/parallel.hpp"
-
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <numeric>
 #include <stdexcept>
+
+#include "objectness_segmentation/common/parallel.hpp"
 
 using objectness::parallelFor;
 
@@ -21,10 +21,11 @@ TEST(ParallelFor, CallsEachIndexOnce) {
 
 TEST(ParallelFor, RethrowsAndJoins) {
   std::atomic<int> calls{0};
-  EXPECT_THROW(parallelFor(50, 2, [&](int i) {
-                 ++calls;
-                 if (i == 3) throw std::runtime_error("stop");
-               }),
+  EXPECT_THROW(parallelFor(50, 2,
+                           [&](int i) {
+                             ++calls;
+                             if (i == 3) throw std::runtime_error("stop");
+                           }),
                std::runtime_error);
   EXPECT_GE(calls, 4);
 }

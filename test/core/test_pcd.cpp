@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fixtures/temporary_folder.hpp"
-#include "objectness_segmentation/io/camera_yaml.hpp"
-#include "objectness_segmentation/io/input_file.hpp"
-#include "objectness_segmentation/io/pcd_file.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstring>
 #include <sstream>
+
+#include "fixtures/temporary_folder.hpp"
+#include "objectness_segmentation/io/camera_yaml.hpp"
+#include "objectness_segmentation/io/input_file.hpp"
+#include "objectness_segmentation/io/pcd_file.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cstring>
+
 #include "fixtures/ray_cast.hpp"
 #include "fixtures/temporary_folder.hpp"
-
 #include "objectness_segmentation/io/scene_folder.hpp"
 #include "objectness_segmentation/pipeline.hpp"
 #include "objectness_segmentation/search/angle_search.hpp"
 #include "objectness_segmentation/search/search.hpp"
-
-#include <gtest/gtest.h>
-
-#include <cstring>
 
 using namespace objectness;
 using namespace objectness_test;
@@ -133,8 +132,8 @@ TEST(Pipeline, ReportsWhatWasDone) {
     stages.push_back(stage);
     EXPECT_GE(ms, 0);
   }
-  EXPECT_EQ(stages, (std::vector<std::string>{"normals", "table", "object_points", "edges", "superpixels", "search", "filter",
-                                              "selection", "segments", "total"}));
+  EXPECT_EQ(stages, (std::vector<std::string>{"normals", "table", "object_points", "edges", "superpixels", "search",
+                                              "filter", "selection", "segments", "total"}));
   EXPECT_GT(countOf(result, "boxes_sampled"), countOf(result, "boxes_scored"));
   EXPECT_GT(countOf(result, "boxes_scored"), countOf(result, "boxes_passed"));
   EXPECT_GT(countOf(result, "boxes_passed"), countOf(result, "hypotheses"));
@@ -203,8 +202,8 @@ TEST(Pipeline, SearchEqualsThePlainLoopOnARealScene) {
   const Frame& frame = read.value;
   const Segmentation seen = segment(frame, config);
   const CuePoints points = collectCuePoints(frame, seen.table, seen.object_points, seen.edges, seen.superpixels);
-  const SearchTask task{samplingOf(config.search, config.volume.voxel_m), ringOf(config.objectness, config.volume.voxel_m),
-                        config.objectness, config.filter.threshold};
+  const SearchTask task{samplingOf(config.search, config.volume.voxel_m),
+                        ringOf(config.objectness, config.volume.voxel_m), config.objectness, config.filter.threshold};
   std::size_t boxes = 0;
   for (int angle = 0; angle < 18; angle += 6) {
     const Grid grid = makeGrid(points, sampledAngles(config.search)[angle], config.volume, 3, 3, 45);

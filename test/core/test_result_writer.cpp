@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <set>
+
 #include "fixtures/temporary_folder.hpp"
 #include "objectness_segmentation/common/color_palette.hpp"
 #include "objectness_segmentation/io/overlay.hpp"
 #include "objectness_segmentation/io/result_writer.hpp"
-
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
-
-#include <cmath>
-#include <set>
 
 using namespace objectness;
 using namespace objectness_test;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <opencv2/imgcodecs.hpp>
+
 #include "fixtures/temporary_folder.hpp"
 #include "objectness_segmentation/io/camera_yaml.hpp"
 #include "objectness_segmentation/io/input_file.hpp"
 #include "objectness_segmentation/io/scene_folder.hpp"
-
-#include <gtest/gtest.h>
-#include <opencv2/imgcodecs.hpp>
 
 using namespace objectness;
 using namespace objectness_test;

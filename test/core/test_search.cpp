@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/search/search.hpp"
-
-#include "fixtures/random_volumes.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstring>
+
+#include "fixtures/random_volumes.hpp"
+#include "objectness_segmentation/search/search.hpp"
 
 using namespace objectness;
 using objectness_test::randomVolumes;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/segments/geodesic_assignment.hpp"
-#include "objectness_segmentation/segments/segments.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "objectness_segmentation/segments/geodesic_assignment.hpp"
+#include "objectness_segmentation/segments/segments.hpp"
 
 using namespace objectness;
 
@@ -52,8 +52,8 @@ SegmentsConfig config(bool follow) {
 TEST(Segments, PlainBoxesGiveAPixelToTheBestBoxThatHoldsIt) {
   const Frame frame = flatFrame(10, 1);
   const CuePoints points = pointsOf(frame, std::vector<int>(10, 0));
-  const auto segments = cutSegments(frame, kHere, points, {selectedBox(0, 4, 0, 3, 1.2f), selectedBox(2, 8, 0, 3, 1.0f)}, 0,
-                                    config(false));
+  const auto segments = cutSegments(frame, kHere, points,
+                                    {selectedBox(0, 4, 0, 3, 1.2f), selectedBox(2, 8, 0, 3, 1.0f)}, 0, config(false));
   ASSERT_EQ(segments.size(), 2u);
   EXPECT_EQ(segments[0].pixels, (std::vector<int>{0, 1, 2, 3}));
   EXPECT_EQ(segments[1].pixels, (std::vector<int>{4, 5, 6, 7}));
@@ -72,8 +72,8 @@ TEST(Segments, WholeSuperpixelsFollowTheBoxThatHoldsMostOfThem) {
   const Frame frame = flatFrame(12, 1);
   const CuePoints points = pointsOf(frame, {1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 2});
   // The first box holds superpixel 1 and two pixels of superpixel 2, the second most of superpixel 2.
-  const auto segments = cutSegments(frame, kHere, points, {selectedBox(0, 7, 0, 3, 1.2f), selectedBox(6, 11, 0, 3, 1.0f)}, 0,
-                                    config(true));
+  const auto segments = cutSegments(frame, kHere, points,
+                                    {selectedBox(0, 7, 0, 3, 1.2f), selectedBox(6, 11, 0, 3, 1.0f)}, 0, config(true));
   ASSERT_EQ(segments.size(), 2u);
   EXPECT_EQ(segments[0].pixels, (std::vector<int>{0, 1, 2, 3, 4}));
   EXPECT_EQ(segments[1].pixels, (std::vector<int>{5, 6, 7, 8, 9, 10, 11}));
@@ -93,7 +93,8 @@ TEST(Segments, SmallSegmentsAreDroppedAndBestComeFirst) {
   const CuePoints points = pointsOf(frame, std::vector<int>(10, 0));
   SegmentsConfig c = config(false);
   c.min_pixels = 3;
-  const auto segments = cutSegments(frame, kHere, points, {selectedBox(0, 2, 0, 3, 1.2f), selectedBox(3, 8, 0, 3, 1.0f)}, 0, c);
+  const auto segments =
+      cutSegments(frame, kHere, points, {selectedBox(0, 2, 0, 3, 1.2f), selectedBox(3, 8, 0, 3, 1.0f)}, 0, c);
   ASSERT_EQ(segments.size(), 1u);
   cv::Mat_<uchar> on_table(1, 10, static_cast<uchar>(0));
   on_table(0, 0) = on_table(0, 5) = 255;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/common/status.hpp"
-
 #include <gtest/gtest.h>
 
 #include <set>
 #include <string>
+
+#include "objectness_segmentation/common/status.hpp"
 
 using objectness::StatusCode;
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fixtures/cue_view.hpp"
-
-#include "objectness_segmentation/cues/superpixels.hpp"
-
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <map>
 #include <set>
+
+#include "fixtures/cue_view.hpp"
+#include "objectness_segmentation/cues/superpixels.hpp"
 
 using namespace objectness;
 using namespace objectness_test;
@@ -59,8 +58,8 @@ TEST(Superpixels, ThingsSideBySideShareNone) {
 }
 
 TEST(Superpixels, ThingOnAThingSharesNone) {
-  Scene scene = sceneOf({kTable, box({-0.15, -0.1, 0}, {0.15, 0.1, 0.05}),
-                         box({-0.06, -0.05, 0.05}, {0.05, 0.06, 0.13})});
+  Scene scene =
+      sceneOf({kTable, box({-0.15, -0.1, 0}, {0.15, 0.1, 0.05}), box({-0.06, -0.05, 0.05}, {0.05, 0.06, 0.13})});
   scene.s0 = 0.0003, scene.s2 = 0.001;
   const CueView view(scene);
   const Superpixels superpixels = superpixelsOf(view);

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "fixtures/ray_cast.hpp"
-#include "fixtures/ros_messages.hpp"
-#include "objectness_segmentation/ros/scene_messages.hpp"
-
 #include <gtest/gtest.h>
 #include <objectness_segmentation/SegmentedObjectArray.h>
 #include <ros/ros.h>
@@ -15,6 +11,10 @@
 #include <array>
 #include <functional>
 #include <string>
+
+#include "fixtures/ray_cast.hpp"
+#include "fixtures/ros_messages.hpp"
+#include "objectness_segmentation/ros/scene_messages.hpp"
 
 namespace objectness_test {
 

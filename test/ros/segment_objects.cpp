@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Run by segment_objects.test beside the nodelet: plays the camera driver and looks at what comes back. Limits are in
 // wall time.
-#include "nodelet_fixture.hpp"
-#include "objectness_segmentation/ros/params.hpp"
-
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <gtest/gtest.h>
@@ -18,6 +15,9 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "nodelet_fixture.hpp"
+#include "objectness_segmentation/ros/params.hpp"
 
 namespace {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fixtures/ros_messages.hpp"
-#include "objectness_segmentation/ros/input_conversions.hpp"
-#include "objectness_segmentation/ros/scene_messages.hpp"
-
 #include <gtest/gtest.h>
 #include <image_geometry/pinhole_camera_model.h>
 
 #include <cmath>
+
+#include "fixtures/ros_messages.hpp"
+#include "objectness_segmentation/ros/input_conversions.hpp"
+#include "objectness_segmentation/ros/scene_messages.hpp"
 
 namespace {
 

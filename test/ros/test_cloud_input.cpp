@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fixtures/ros_messages.hpp"
-#include "objectness_segmentation/ros/input_conversions.hpp"
-#include "objectness_segmentation/ros/scene_messages.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "fixtures/ros_messages.hpp"
+#include "objectness_segmentation/ros/input_conversions.hpp"
+#include "objectness_segmentation/ros/scene_messages.hpp"
 
 namespace {
 

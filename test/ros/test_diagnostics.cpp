@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/ros/diagnostics.hpp"
-
 #include <diagnostic_msgs/DiagnosticStatus.h>
 #include <gtest/gtest.h>
 
 #include <string>
+
+#include "objectness_segmentation/ros/diagnostics.hpp"
 
 namespace {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fixtures/ros_messages.hpp"
-#include "objectness_segmentation/common/color_palette.hpp"
-#include "objectness_segmentation/ros/output_conversions.hpp"
-
 #include <gtest/gtest.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
 
 #include <set>
 #include <tuple>
+
+#include "fixtures/ros_messages.hpp"
+#include "objectness_segmentation/common/color_palette.hpp"
+#include "objectness_segmentation/ros/output_conversions.hpp"
 
 namespace {
 

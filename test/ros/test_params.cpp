@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/ros/params.hpp"
-
 #include <gtest/gtest.h>
 #include <objectness_segmentation/ObjectnessSegmentationConfig.h>
 
@@ -12,6 +10,8 @@
 #include <type_traits>
 #include <variant>
 #include <vector>
+
+#include "objectness_segmentation/ros/params.hpp"
 
 namespace {
 

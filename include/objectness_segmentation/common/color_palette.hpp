@@ -11,8 +11,9 @@ struct Rgb {
   std::uint8_t r, g, b;
 };
 
-/// The colour of the object of this rank (0: largest objectness) in every picture, cloud and marker. Twenty colours that
-/// are easy to tell from each other (the "category 20" set: ten hues, then their light versions), then again from the first.
+/// The colour of the object of this rank (0: largest objectness) in every picture, cloud and marker. Twenty colours
+/// that are easy to tell from each other (the "category 20" set: ten hues, then their light versions), then again from
+/// the first.
 inline Rgb objectColor(std::size_t rank) {
   static constexpr std::array<Rgb, 20> kColors{{{31, 119, 180},  {255, 127, 14},  {44, 160, 44},   {214, 39, 40},
                                                 {148, 103, 189}, {140, 86, 75},   {227, 119, 194}, {188, 189, 34},

@@ -9,8 +9,9 @@
 
 namespace objectness {
 
-/// Calls work(i) for i = 0..count-1 on up to `threads` threads, the caller's included; 0: one per processor. The order is
-/// not fixed, so work(i) writes only to what belongs to i. The first exception is rethrown after all threads have joined.
+/// Calls work(i) for i = 0..count-1 on up to `threads` threads, the caller's included; 0: one per processor. The order
+/// is not fixed, so work(i) writes only to what belongs to i. The first exception is rethrown after all threads have
+/// joined.
 template <class Work>
 void parallelFor(int count, int threads, Work&& work) {
   if (threads == 0) threads = static_cast<int>(std::thread::hardware_concurrency());

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "objectness_segmentation/cues/edges.hpp"
 #include "objectness_segmentation/cues/superpixels.hpp"
 #include "objectness_segmentation/integral/grid.hpp"
 #include "objectness_segmentation/integral/volume_config.hpp"
 #include "objectness_segmentation/scene/frame.hpp"
 #include "objectness_segmentation/scene/table.hpp"
-
-#include <vector>
 
 namespace objectness {
 
@@ -19,11 +19,11 @@ struct CuePoints {
   std::vector<int> labels;              ///< superpixel of each, 0 = not smooth
   std::vector<Eigen::Vector3f> edges;   ///< edge points of any kind, table frame, z >= 0
   int superpixels = 0;
-  float top_m = 0;                      ///< height of the highest object point
+  float top_m = 0;  ///< height of the highest object point
 };
 
-CuePoints collectCuePoints(const Frame& frame, const Table& table, const ObjectPoints& object_points, const EdgeMap& edges,
-                           const Superpixels& superpixels);
+CuePoints collectCuePoints(const Frame& frame, const Table& table, const ObjectPoints& object_points,
+                           const EdgeMap& edges, const Superpixels& superpixels);
 
 /// The volume of interest seen at one angle: as far as the object points reach (paper Sec. 2), snapped to voxels and
 /// `margin` voxels wider on each side, at least volume.min_extent_m wide, from the table up to the highest point but no

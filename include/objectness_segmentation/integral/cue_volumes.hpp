@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <vector>
+
 #include "objectness_segmentation/integral/cue_points.hpp"
 #include "objectness_segmentation/integral/grid.hpp"
 #include "objectness_segmentation/integral/integral_volume.hpp"
 
-#include <algorithm>
-#include <vector>
-
 namespace objectness {
 
-/// The integral volume of one superpixel on its own bounding box: most boxes meet few superpixels, and a table over the whole
-/// grid for each would cost memory for nothing.
+/// The integral volume of one superpixel on its own bounding box: most boxes meet few superpixels, and a table over the
+/// whole grid for each would cost memory for nothing.
 class SuperpixelVolume {
  public:
   SuperpixelVolume(const std::vector<Eigen::Vector3i>& voxels);
@@ -30,8 +30,8 @@ class SuperpixelVolume {
   IntegralVolume volume_;
 };
 
-/// All integral volumes of one angle. Everything is counted in voxels: it makes near and far objects alike, and it is the
-/// only unit in which Eq. 5 subtracts points from a volume.
+/// All integral volumes of one angle. Everything is counted in voxels: it makes near and far objects alike, and it is
+/// the only unit in which Eq. 5 subtracts points from a volume.
 struct CueVolumes {
   Grid grid;
   Eigen::Vector3d viewpoint = Eigen::Vector3d::Zero();  ///< the camera's centre, grid coordinates (voxels)
@@ -45,8 +45,8 @@ struct CueVolumes {
 CueVolumes buildCueVolumes(const Frame& frame, const Table& table, const CuePoints& points, const Grid& grid,
                            const VolumeConfig& config, int ring_z);
 
-/// Whether the point is hidden from the camera: its pixel was measured nearer than it by more than the tolerance (Sec. 2.3).
-/// Beyond the image: free. Missing depth: unknown_is_occluded.
+/// Whether the point is hidden from the camera: its pixel was measured nearer than it by more than the tolerance
+/// (Sec. 2.3). Beyond the image: free. Missing depth: unknown_is_occluded.
 bool isOccluded(const Frame& frame, const Eigen::Vector3d& p_camera, const VolumeConfig& config);
 
 }  // namespace objectness

@@ -9,9 +9,10 @@ namespace objectness {
 
 /// A summed-volume table over binary voxels [5 in the paper]: the number of set voxels in any box in constant time.
 ///
-/// Entry (x, y, z) holds the number of set voxels in [0, x) x [0, y) x [0, z), x = 0..nx, y = 0..ny, z = 0..nz + padding;
-/// above nz it repeats the value at nz, so that a box may reach `padding` voxels over the grid. z runs fastest: the counts
-/// of one footprint at all heights lie side by side, and a box that stands on z = 0 needs four of them, not eight.
+/// Entry (x, y, z) holds the number of set voxels in [0, x) x [0, y) x [0, z), x = 0..nx, y = 0..ny, z = 0..nz +
+/// padding; above nz it repeats the value at nz, so that a box may reach `padding` voxels over the grid. z runs
+/// fastest: the counts of one footprint at all heights lie side by side, and a box that stands on z = 0 needs four of
+/// them, not eight.
 class IntegralVolume {
  public:
   IntegralVolume() = default;
@@ -42,9 +43,7 @@ class IntegralVolume {
   int nz() const { return nz_; }
 
  private:
-  std::size_t index(int x, int y, int z) const {
-    return (static_cast<std::size_t>(x) * (ny_ + 1) + y) * stride_ + z;
-  }
+  std::size_t index(int x, int y, int z) const { return (static_cast<std::size_t>(x) * (ny_ + 1) + y) * stride_ + z; }
 
   int nx_ = 0, ny_ = 0, nz_ = 0;
   std::size_t stride_ = 1;

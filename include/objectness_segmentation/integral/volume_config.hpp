@@ -17,7 +17,8 @@ struct VolumeConfig {
     visit("voxel_m", self.voxel_m, Range{0.002, 0.05}, "side of a voxel of the integral volumes");
     visit("min_extent_m", self.min_extent_m, Range{0, 5},
           "least extent of the volume of interest in x and y; 0: as far as the object points reach");
-    visit("unknown_is_occluded", self.unknown_is_occluded, "voxels behind pixels without depth: occluded instead of free");
+    visit("unknown_is_occluded", self.unknown_is_occluded,
+          "voxels behind pixels without depth: occluded instead of free");
     visit("occlusion_tolerance_m", self.occlusion_tolerance_m, Range{0, 0.1},
           "a voxel is occluded when it lies deeper than the measured depth by more than this");
   }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+
 #include "objectness_segmentation/common/status.hpp"
 #include "objectness_segmentation/scene/camera.hpp"
-
-#include <string>
 
 namespace objectness {
 

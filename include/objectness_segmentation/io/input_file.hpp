@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "objectness_segmentation/scene/frame.hpp"
-
 #include <string>
+
+#include "objectness_segmentation/scene/frame.hpp"
 
 namespace objectness {
 

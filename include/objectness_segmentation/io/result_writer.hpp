@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+
 #include "objectness_segmentation/result.hpp"
 #include "objectness_segmentation/scene/frame.hpp"
-
-#include <string>
 
 namespace objectness {
 

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <Eigen/Geometry>
-
 #include <tuple>
 
 namespace objectness {
 
-/// A box of the sampling, b(x, y, s_x, s_y, s_z, r_z) of paper Sec. 2.1, in voxels of the grid of its angle. It stands on
-/// the table: its base is z = 0. Faces are half-open: it holds the voxels x0 <= x < x1, y0 <= y < y1, 0 <= z < height.
+/// A box of the sampling, b(x, y, s_x, s_y, s_z, r_z) of paper Sec. 2.1, in voxels of the grid of its angle. It stands
+/// on the table: its base is z = 0. Faces are half-open: it holds the voxels x0 <= x < x1, y0 <= y < y1, 0 <= z <
+/// height.
 struct Box {
   int angle = 0;  ///< index of r_z
   int x0 = 0, x1 = 0, y0 = 0, y1 = 0;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "objectness_segmentation/objectness/box.hpp"
-
 #include <Eigen/Core>
+
+#include "objectness_segmentation/objectness/box.hpp"
 
 namespace objectness {
 
@@ -25,10 +25,12 @@ double outerEdges(int edges, int edges_expanded);
 /// Eq. 3: delta_l(b, s) = |p(b and s)|^2 / |p(s)|.
 double straddling(int inside, int total);
 
-/// Eq. 4: delta_l(b) = sum over s of delta_l(b, s) / |p(b)|, |p(b)| = voxels of any superpixel in b. 0 when there are none.
+/// Eq. 4: delta_l(b) = sum over s of delta_l(b, s) / |p(b)|, |p(b)| = voxels of any superpixel in b. 0 when there are
+/// none.
 double straddling(double sum_over_superpixels, int labelled);
 
-/// Eq. 5: delta_f(b) = (V(b) - |p(b)| - |p_VO(b)|) / a(b); filled = occupied and occluded voxels. 0 when no face is visible.
+/// Eq. 5: delta_f(b) = (V(b) - |p(b)| - |p_VO(b)|) / a(b); filled = occupied and occluded voxels. 0 when no face is
+/// visible.
 double freeSpace(long volume, int filled, double area);
 
 }  // namespace objectness

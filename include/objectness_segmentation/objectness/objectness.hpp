@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "objectness_segmentation/common/range.hpp"
 #include "objectness_segmentation/integral/cue_volumes.hpp"
 #include "objectness_segmentation/objectness/box.hpp"
-
-#include <optional>
 
 namespace objectness {
 
@@ -35,9 +35,11 @@ struct ObjectnessConfig {
           "a(b) is sx sy + sx sz + sy sz whatever the viewpoint, instead of the faces the camera sees");
     visit("ring_xy_m", self.ring_xy_m, Range{0, 0.2}, "b_eps of Eq. 2 grows by this on each of the four sides");
     visit("ring_z_m", self.ring_z_m, Range{0, 0.2}, "b_eps of Eq. 2 grows by this upwards");
-    visit("min_edge_voxels", self.min_edge_voxels, Range{1, 10000}, "gate: boxes with fewer edge voxels are not scored");
+    visit("min_edge_voxels", self.min_edge_voxels, Range{1, 10000},
+          "gate: boxes with fewer edge voxels are not scored");
     visit("min_occupied_voxels", self.min_occupied_voxels, Range{1, 10000}, "gate: fewer occupied voxels");
-    visit("min_top_share", self.min_top_share, Range{0, 1}, "gate: least share of the occupied voxels in the top third");
+    visit("min_top_share", self.min_top_share, Range{0, 1},
+          "gate: least share of the occupied voxels in the top third");
     visit("min_straddling", self.min_straddling, Range{0, 1}, "gate: least superpixel cue (Eq. 4)");
   }
 };
@@ -51,8 +53,8 @@ struct Ring {
 };
 Ring ringOf(const ObjectnessConfig& config, double voxel_m);
 
-/// The box with its cues and objectness, or nothing when a gate rejects it. The definition that every search must agree with
-/// to the last bit.
+/// The box with its cues and objectness, or nothing when a gate rejects it. The definition that every search must agree
+/// with to the last bit.
 std::optional<ScoredBox> scoreBox(const CueVolumes& volumes, const Box& box, const Ring& ring,
                                   const ObjectnessConfig& config);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "objectness_segmentation/ros/frame_statistics.hpp"
-
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
+
+#include "objectness_segmentation/ros/frame_statistics.hpp"
 
 namespace objectness_segmentation {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "objectness_segmentation/common/status.hpp"
-
 #include <chrono>
 #include <cstdint>
 #include <mutex>
 #include <string>
+
+#include "objectness_segmentation/common/status.hpp"
 
 namespace objectness_segmentation {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "objectness_segmentation/result.hpp"
-#include "objectness_segmentation/scene/frame.hpp"
-
 #include <objectness_segmentation/SegmentedObjectArray.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <std_msgs/Header.h>
 #include <visualization_msgs/MarkerArray.h>
+
+#include "objectness_segmentation/result.hpp"
+#include "objectness_segmentation/scene/frame.hpp"
 
 namespace objectness_segmentation {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "objectness_segmentation/config_fields.hpp"
-
 #include <dynamic_reconfigure/Config.h>
 #include <ros/node_handle.h>
 
 #include <string>
 #include <vector>
+
+#include "objectness_segmentation/config_fields.hpp"
 
 namespace objectness_segmentation {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "objectness_segmentation/scene/frame.hpp"
-
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/PointCloud2.h>
+
+#include "objectness_segmentation/scene/frame.hpp"
 
 namespace objectness_segmentation {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "objectness_segmentation/config.hpp"
-#include "objectness_segmentation/result.hpp"
-
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/PointCloud2.h>
 
 #include <atomic>
+
+#include "objectness_segmentation/config.hpp"
+#include "objectness_segmentation/result.hpp"
 
 namespace objectness_segmentation {
 

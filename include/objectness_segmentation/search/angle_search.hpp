@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
 #include "objectness_segmentation/integral/cue_points.hpp"
 #include "objectness_segmentation/integral/volume_config.hpp"
 #include "objectness_segmentation/objectness/objectness.hpp"
 #include "objectness_segmentation/search/box_sampler.hpp"
-
-#include <atomic>
-#include <cstdint>
-#include <vector>
 
 namespace objectness {
 
@@ -31,8 +31,8 @@ struct SearchSettings {
   int threads = 2;
 };
 
-/// Builds the integral volumes of every angle (Sec. 2.1) and scores every box in them. The result does not depend on the
-/// number of threads. `cancel` may be null.
+/// Builds the integral volumes of every angle (Sec. 2.1) and scores every box in them. The result does not depend on
+/// the number of threads. `cancel` may be null.
 SearchOutcome searchAllAngles(const Frame& frame, const Table& table, const CuePoints& points,
                               const SearchSettings& settings, const std::atomic<bool>* cancel);
 

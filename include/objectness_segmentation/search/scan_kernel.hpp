@@ -26,8 +26,9 @@ struct ScanFootprint {
   const float* top_visible;              ///< 1 where the top face at this height is visible, else 0
 };
 
-/// bound[h - first] >= objectness of the box of height h, h = first..last, up to float rounding; -1e30 where the edge gate
-/// rejects it. Returns the largest bound. Plain types only: compiled for several instruction sets, chosen at run time.
+/// bound[h - first] >= objectness of the box of height h, h = first..last, up to float rounding; -1e30 where the edge
+/// gate rejects it. Returns the largest bound. Plain types only: compiled for several instruction sets, chosen at run
+/// time.
 float boundHeights(const ScanFootprint& footprint, const ScanConstants& constants, int first, int last, float* bound);
 
 }  // namespace objectness

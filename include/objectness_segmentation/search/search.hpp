@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "objectness_segmentation/integral/cue_volumes.hpp"
 #include "objectness_segmentation/objectness/objectness.hpp"
 #include "objectness_segmentation/search/box_sampler.hpp"
-
-#include <cstdint>
-#include <vector>
 
 namespace objectness {
 
@@ -25,11 +25,12 @@ struct SearchResult {
   std::int64_t scored = 0;   ///< of them scored in full; the rest could not reach the threshold
 };
 
-/// Scores every box by scoreBox(): a plain nested loop over the sampling of paper Sec. 2.2. The definition of the result.
+/// Scores every box by scoreBox(): a plain nested loop over the sampling of paper Sec. 2.2. The definition of the
+/// result.
 SearchResult searchPlain(const CueVolumes& volumes, int angle, const SearchTask& task);
 
-/// The same result, to the last bit: bounds all heights of a footprint at once without the superpixel cue (which is at most
-/// 1), and scores only the boxes whose bound reaches the threshold.
+/// The same result, to the last bit: bounds all heights of a footprint at once without the superpixel cue (which is at
+/// most 1), and scores only the boxes whose bound reaches the threshold.
 SearchResult searchScan(const CueVolumes& volumes, int angle, const SearchTask& task);
 
 }  // namespace objectness

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "objectness_segmentation/common/range.hpp"
 #include "objectness_segmentation/integral/cue_points.hpp"
 #include "objectness_segmentation/objectness/objectness.hpp"
-
-#include <vector>
 
 namespace objectness {
 
@@ -23,7 +23,8 @@ struct SegmentsConfig {
           "off: the pixels of the paper's plain boxes");
     visit("min_superpixel_share", self.min_superpixel_share, Range{0, 1},
           "a superpixel follows a box that holds at least this share of it");
-    visit("max_reach_m", self.max_reach_m, Range{0, 0.5}, "how far along the surface a point follows its nearest segment");
+    visit("max_reach_m", self.max_reach_m, Range{0, 0.5},
+          "how far along the surface a point follows its nearest segment");
     visit("max_step_m", self.max_step_m, Range{0.001, 0.1}, "neighbouring pixels farther apart are not on one surface");
     visit("min_pixels", self.min_pixels, Range{1, 100000}, "smaller segments are dropped");
   }
@@ -46,8 +47,9 @@ struct SelectedBox {
 /// The box in the camera's optical frame, metres.
 OrientedBox orientedBox(const Box& box, const Grid& grid, const Eigen::Isometry3d& T_table_camera);
 
-/// Gives every object point to at most one box (paper Sec. 4: a segment is what falls within a box; a point in several goes to
-/// the one of highest objectness). boxes: best first; margin_m: as in FilterConfig::box_margin_m. Best segment first.
+/// Gives every object point to at most one box (paper Sec. 4: a segment is what falls within a box; a point in several
+/// goes to the one of highest objectness). boxes: best first; margin_m: as in FilterConfig::box_margin_m. Best segment
+/// first.
 std::vector<Segment> cutSegments(const Frame& frame, const Eigen::Isometry3d& T_table_camera, const CuePoints& points,
                                  const std::vector<SelectedBox>& boxes, double margin_m, const SegmentsConfig& config);
 

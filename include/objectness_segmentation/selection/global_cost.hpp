@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "objectness_segmentation/common/range.hpp"
-
 #include <vector>
+
+#include "objectness_segmentation/common/range.hpp"
 
 namespace objectness {
 
@@ -27,7 +27,8 @@ struct SelectionConfig {
           "the free space that lambda weighs is in voxels, as large boxes hold more points too; off: delta_f of Eq. 5");
     visit("weight_multiple", self.weight_multiple, Range{0, 1000}, "case i of Eq. 10: a point in several boxes");
     visit("weight_objectness", self.weight_objectness, Range{0, 1000}, "case ii of Eq. 10: a point in one box");
-    visit("weight_unexplained", self.weight_unexplained, Range{0, 1000}, "case iii of Eq. 10: a point beside a box, in none");
+    visit("weight_unexplained", self.weight_unexplained, Range{0, 1000},
+          "case iii of Eq. 10: a point beside a box, in none");
     visit("ring_m", self.ring_m, Range{0, 0.2}, "b_eps of Eq. 10 grows by this on its sides and upwards");
     visit("point_spacing_m", self.point_spacing_m, Range{0.001, 0.1}, "resolution of S', the points that are counted");
     visit("start_temperature", self.start_temperature, Range{0, 1e9}, "annealing: first temperature");
@@ -68,8 +69,8 @@ class GlobalCost {
                          const std::vector<bool>& active);
 
  private:
-  /// What is known of a point. holders_sum is the sum of the indices of the active boxes that hold it: with one holder, its
-  /// index; sums of integers never drift as sums of scores would.
+  /// What is known of a point. holders_sum is the sum of the indices of the active boxes that hold it: with one holder,
+  /// its index; sums of integers never drift as sums of scores would.
   struct PointState {
     int holders = 0;
     int neighbours = 0;  ///< active boxes that have it in their surroundings only

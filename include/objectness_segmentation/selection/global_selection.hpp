@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "objectness_segmentation/selection/global_cost.hpp"
-
 #include <vector>
+
+#include "objectness_segmentation/selection/global_cost.hpp"
 
 namespace objectness {
 
@@ -13,10 +13,10 @@ struct Selection {
   double cost = 0;           ///< F of Eq. 8 at `active`
 };
 
-/// Eq. 7: minimizes the cost by simulated annealing from the empty selection, cooled geometrically from start_temperature
-/// to end_temperature, ended by descent to a local minimum; the best selection ever met is returned. Moves: flips, swaps of an
-/// active with an inactive box, and takeovers (a box is activated in the place of all active ones that hold points of it).
-/// The same hypotheses and seed give the same selection.
+/// Eq. 7: minimizes the cost by simulated annealing from the empty selection, cooled geometrically from
+/// start_temperature to end_temperature, ended by descent to a local minimum; the best selection ever met is returned.
+/// Moves: flips, swaps of an active with an inactive box, and takeovers (a box is activated in the place of all active
+/// ones that hold points of it). The same hypotheses and seed give the same selection.
 Selection selectHypotheses(const std::vector<CostHypothesis>& hypotheses, int points, const SelectionConfig& config,
                            unsigned seed);
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
+#include <vector>
+
 #include "objectness_segmentation/selection/box_filter.hpp"
 #include "objectness_segmentation/selection/global_selection.hpp"
-
-#include <Eigen/Core>
-
-#include <vector>
 
 namespace objectness {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "objectness_segmentation/integral/grid.hpp"
-#include "objectness_segmentation/objectness/box.hpp"
-
 #include <cstdint>
 #include <vector>
+
+#include "objectness_segmentation/integral/grid.hpp"
+#include "objectness_segmentation/objectness/box.hpp"
 
 namespace objectness {
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "objectness_segmentation/integral/cue_points.hpp"
-
 #include <Eigen/Core>
-
 #include <vector>
+
+#include "objectness_segmentation/integral/cue_points.hpp"
 
 namespace objectness {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+
 #include "objectness_segmentation/io/scene_folder.hpp"
 #include "objectness_segmentation/sim/shapes.hpp"
-
-#include <cstdint>
 
 namespace objectness::sim {
 

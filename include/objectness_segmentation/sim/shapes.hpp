@@ -3,7 +3,6 @@
 
 #include <Eigen/Geometry>
 #include <opencv2/core.hpp>
-
 #include <optional>
 #include <variant>
 #include <vector>

@@ -73,9 +73,8 @@ void run(const Frame& frame, const Config& config, const std::atomic<bool>* canc
   count("hypotheses", candidates.boxes.size());
 
   // Sec. 4.2: the globally consistent choice.
-  const Selection selection = stage("selection", [&] {
-    return selectHypotheses(candidates.hypotheses, candidates.points, config.selection, config.runtime.seed);
-  });
+  const Selection selection =
+      stage("selection", [&] { return selectHypotheses(candidates.problem, config.selection, config.runtime.seed); });
 
   // Sec. 4: a segment is what falls within a selected box.
   result.segments = stage("segments", [&] {

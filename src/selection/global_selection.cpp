@@ -23,8 +23,9 @@ class Random {
 };
 
 /// For each hypothesis the others that hold one of its points.
-std::vector<std::vector<int>> findRivals(const std::vector<CostHypothesis>& hypotheses, int points) {
-  std::vector<PointSet> held(hypotheses.size(), PointSet((points + 63) / 64, 0));
+std::vector<std::vector<int>> findRivals(const CostProblem& problem) {
+  const std::vector<CostHypothesis>& hypotheses = problem.hypotheses;
+  std::vector<PointSet> held(hypotheses.size(), PointSet((problem.weights.size() + 63) / 64, 0));
   for (std::size_t i = 0; i < hypotheses.size(); ++i) {
     for (const int p : hypotheses[i].inside) held[i][p / 64] |= std::uint64_t{1} << (p % 64);
   }
@@ -42,8 +43,8 @@ std::vector<std::vector<int>> findRivals(const std::vector<CostHypothesis>& hypo
 /// Runs the annealing and remembers the best selection ever met.
 class Annealer {
  public:
-  Annealer(const std::vector<CostHypothesis>& hypotheses, int points, const SelectionConfig& config, unsigned seed)
-      : config_(config), cost_(hypotheses, points, config), rivals_(findRivals(hypotheses, points)), random_(seed) {
+  Annealer(const CostProblem& problem, const SelectionConfig& config, unsigned seed)
+      : config_(config), cost_(problem, config), rivals_(findRivals(problem)), random_(seed) {
     best_.active = cost_.active();
   }
 
@@ -136,9 +137,8 @@ class Annealer {
 
 }  // namespace
 
-Selection selectHypotheses(const std::vector<CostHypothesis>& hypotheses, int points, const SelectionConfig& config,
-                           unsigned seed) {
-  return Annealer(hypotheses, points, config, seed).run();
+Selection selectHypotheses(const CostProblem& problem, const SelectionConfig& config, unsigned seed) {
+  return Annealer(problem, config, seed).run();
 }
 
 }  // namespace objectness

@@ -16,7 +16,6 @@ Hypotheses filterByObjectness(const std::vector<ScoredBox>& boxes, const std::ve
   if (boxes.empty()) return result;
   const double top_m = grids.front().nz * grids.front().voxel_m;
   const std::vector<Eigen::Vector3f> scene = thinPoints(points, selection.point_spacing_m, top_m);
-  result.points = static_cast<int>(scene.size());
 
   std::vector<std::optional<PointOverlap>> built(grids.size());
   parallelFor(static_cast<int>(grids.size()), threads,
@@ -24,6 +23,7 @@ Hypotheses filterByObjectness(const std::vector<ScoredBox>& boxes, const std::ve
   std::vector<PointOverlap> overlaps;
   for (auto& overlap : built) overlaps.push_back(std::move(*overlap));
 
+  std::vector<CostHypothesis> hypotheses;
   const int ring = static_cast<int>(std::lround(selection.ring_m / grids.front().voxel_m));
   for (const BoxHypothesis& kept : filterBoxes(boxes, grids, overlaps, filter)) {
     const ScoredBox& scored = kept.scored;
@@ -35,8 +35,9 @@ Hypotheses filterByObjectness(const std::vector<ScoredBox>& boxes, const std::ve
     for (std::size_t i = 0; i < beside.size(); ++i) beside[i] &= ~kept.points[i];
     hypothesis.surroundings = listPoints(beside);
     result.boxes.push_back(scored);
-    result.hypotheses.push_back(std::move(hypothesis));
+    hypotheses.push_back(std::move(hypothesis));
   }
+  result.problem = mergeAlikePoints(hypotheses, static_cast<int>(scene.size()));
   return result;
 }
 

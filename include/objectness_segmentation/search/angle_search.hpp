@@ -27,7 +27,7 @@ struct SearchSettings {
   VolumeConfig volume;
   SearchConfig search;
   ObjectnessConfig objectness;
-  double threshold = 0.9;
+  double threshold = 0;
   int threads = 2;
 };
 

@@ -15,7 +15,7 @@ struct SearchTask {
   Sampling sampling;
   Ring ring;
   ObjectnessConfig objectness;
-  double threshold = 0.9;  ///< boxes of at least this objectness are kept
+  double threshold = 0;  ///< boxes of at least this objectness are kept
 };
 
 /// The boxes of one angle whose objectness is at least the threshold, in the order of enumeration (Box::key()).

@@ -11,7 +11,7 @@ namespace objectness {
 
 /// Filtering of paper Sec. 4.1.
 struct FilterConfig {
-  double threshold = 0.9;
+  double threshold = 0.8;
   double cluster_radius_m = 0.05;
   int max_boxes_per_cluster = 500;
   double conflict_share = 0.95;

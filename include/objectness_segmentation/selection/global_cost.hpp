@@ -4,21 +4,22 @@
 #include <vector>
 
 #include "objectness_segmentation/common/range.hpp"
+#include "objectness_segmentation/selection/cost_problem.hpp"
 
 namespace objectness {
 
 /// Cost and annealing of the global selection, paper Sec. 4.2.
 struct SelectionConfig {
-  double lambda = 0.1;
+  double lambda = 1.0;
   bool free_space_in_voxels = true;
   double weight_multiple = 0.5;
   double weight_objectness = 1.0;
-  double weight_unexplained = 2.0;
+  double weight_unexplained = 1.0;
   double ring_m = 0.04;
   double point_spacing_m = 0.005;
   double start_temperature = 1500;
   double end_temperature = 0.01;
-  int iterations = 15000;
+  int iterations = 5000;
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
@@ -37,14 +38,6 @@ struct SelectionConfig {
   }
 };
 
-/// A hypothesis as the cost sees it.
-struct CostHypothesis {
-  double objectness = 0;          ///< delta(b)
-  double free_space = 0;          ///< what lambda weighs
-  std::vector<int> inside;        ///< scene points in b, ascending
-  std::vector<int> surroundings;  ///< scene points in b_eps but not in b, ascending
-};
-
 /// The cost F(X) of Eq. 8 with the point weights of Eq. 10:
 ///   F(X) = lambda sum_i free_i x_i + sum_p omega_X(p),
 ///   omega = weight_multiple kappa          where kappa > 1 active boxes hold p,
@@ -53,7 +46,8 @@ struct CostHypothesis {
 /// Kept up to date under flips: a flip costs the points of its box and surroundings, not the scene.
 class GlobalCost {
  public:
-  GlobalCost(const std::vector<CostHypothesis>& hypotheses, int points, const SelectionConfig& config);
+  /// The problem must outlive the cost.
+  GlobalCost(const CostProblem& problem, const SelectionConfig& config);
 
   double cost() const { return cost_; }
   const std::vector<bool>& active() const { return active_; }
@@ -65,8 +59,7 @@ class GlobalCost {
   double flip(int i);
 
   /// The cost of a selection from its definition, without any state: what the rest is tested against.
-  static double evaluate(const std::vector<CostHypothesis>& hypotheses, int points, const SelectionConfig& config,
-                         const std::vector<bool>& active);
+  static double evaluate(const CostProblem& problem, const SelectionConfig& config, const std::vector<bool>& active);
 
  private:
   /// What is known of a point. holders_sum is the sum of the indices of the active boxes that hold it: with one holder,
@@ -78,7 +71,7 @@ class GlobalCost {
   };
   double weightOf(const PointState& state) const;
 
-  const std::vector<CostHypothesis>& hypotheses_;
+  const CostProblem& problem_;
   const SelectionConfig config_;
   std::vector<PointState> points_;
   std::vector<bool> active_;

@@ -16,8 +16,7 @@ struct Selection {
 /// Eq. 7: minimizes the cost by simulated annealing from the empty selection, cooled geometrically from
 /// start_temperature to end_temperature, ended by descent to a local minimum; the best selection ever met is returned.
 /// Moves: flips, swaps of an active with an inactive box, and takeovers (a box is activated in the place of all active
-/// ones that hold points of it). The same hypotheses and seed give the same selection.
-Selection selectHypotheses(const std::vector<CostHypothesis>& hypotheses, int points, const SelectionConfig& config,
-                           unsigned seed);
+/// ones that hold points of it). The same problem and seed give the same selection.
+Selection selectHypotheses(const CostProblem& problem, const SelectionConfig& config, unsigned seed);
 
 }  // namespace objectness

@@ -11,9 +11,8 @@ namespace objectness {
 
 /// B* of paper Sec. 4.1: the boxes that survived the filtering, ready for the global selection.
 struct Hypotheses {
-  std::vector<ScoredBox> boxes;            ///< best first
-  std::vector<CostHypothesis> hypotheses;  ///< the same as the cost of Eq. 8 sees them
-  int points = 0;                          ///< size of S'
+  std::vector<ScoredBox> boxes;  ///< best first
+  CostProblem problem;           ///< the same as the cost of Eq. 8 sees them
 };
 
 /// Sec. 4.1: filters the scored boxes (best first, one grid per angle) by what they hold of the scene's points (table

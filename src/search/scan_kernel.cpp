@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/search/scan_kernel.hpp"
 
-// Dispatch by ifunc instead of -mavx2: Eigen and PCL code built for another alignment than Debian's libraries crashes
-// inside a nodelet manager. No Eigen and no std container may be used in this file.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(OBJECTNESS_PORTABLE)
-#define OBJECTNESS_CLONES __attribute__((target_clones("avx2", "default")))
-#else
-#define OBJECTNESS_CLONES
-#endif
+#include "objectness_segmentation/common/target_clones.hpp"
 
 namespace objectness {
 
-OBJECTNESS_CLONES
+OBJECTNESS_CLONES("avx2")
 float boundHeights(const ScanFootprint& footprint, const ScanConstants& constants, int first, int last, float* bound) {
   const FootprintColumns e = footprint.edges, r = footprint.ring, f = footprint.filled;
   const ScanConstants k = constants;

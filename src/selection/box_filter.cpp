@@ -2,10 +2,12 @@
 #include "objectness_segmentation/selection/box_filter.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
+#include <unordered_map>
 #include <utility>
+
+#include "objectness_segmentation/selection/cell_key.hpp"
 
 namespace objectness {
 namespace {
@@ -20,13 +22,13 @@ class Clusters {
   explicit Clusters(double radius_m) : radius_(radius_m) {}
 
   int assign(const Eigen::Vector3d& centre) {
-    const std::array<int, 3> cell = cellOf(centre);
+    const Cell cell = cellOf(centre, radius_);
     int nearest = -1;
     double nearest_distance = radius_;
     for (int dx = -1; dx <= 1; ++dx) {
       for (int dy = -1; dy <= 1; ++dy) {
         for (int dz = -1; dz <= 1; ++dz) {
-          const auto found = leaders_in_.find({cell[0] + dx, cell[1] + dy, cell[2] + dz});
+          const auto found = leaders_in_.find(keyOf(cell + Cell(dx, dy, dz)));
           if (found == leaders_in_.end()) continue;
           for (const int leader : found->second) {
             const double distance = (leaders_[leader] - centre).norm();
@@ -40,26 +42,48 @@ class Clusters {
     }
     if (nearest >= 0) return nearest;
     leaders_.push_back(centre);
-    leaders_in_[cell].push_back(static_cast<int>(leaders_.size()) - 1);
+    leaders_in_[keyOf(cell)].push_back(static_cast<int>(leaders_.size()) - 1);
     return static_cast<int>(leaders_.size()) - 1;
   }
 
  private:
-  std::array<int, 3> cellOf(const Eigen::Vector3d& p) const {
-    return {static_cast<int>(std::floor(p.x() / radius_)), static_cast<int>(std::floor(p.y() / radius_)),
-            static_cast<int>(std::floor(p.z() / radius_))};
-  }
-
   double radius_;
   std::vector<Eigen::Vector3d> leaders_;
-  std::map<std::array<int, 3>, std::vector<int>> leaders_in_;
+  std::unordered_map<std::uint64_t, std::vector<int>> leaders_in_;
 };
 
-/// "Share at least 95 % of scene points within them, with respect to the box with more points" (Sec. 4.1).
-bool inConflict(const PointSet& a, int count_a, const PointSet& b, int count_b, double share) {
-  const double needed = share * std::max(count_a, count_b);
-  return std::min(count_a, count_b) >= needed && countShared(a, b) >= needed;
-}
+/// The boxes kept so far, found by how many points they hold.
+class KeptBoxes {
+ public:
+  KeptBoxes(const std::vector<BoxHypothesis>& hypotheses, const FilterConfig& config)
+      : hypotheses_(hypotheses), config_(config) {}
+
+  void add(int index, int points, int cluster) { with_points_[points].push_back({index, cluster}); }
+
+  /// Whether one of them is in conflict with a box: "share at least 95 % of scene points within them, with respect to
+  /// the box with more points" (Sec. 4.1). Only boxes of nearly as many points can be.
+  bool conflictsWith(const PointSet& points, int count, int cluster) const {
+    const double share = config_.conflict_share;
+    const auto last = with_points_.upper_bound(static_cast<int>(std::ceil(count / share)));
+    for (auto kept = with_points_.lower_bound(static_cast<int>(std::floor(count * share))); kept != last; ++kept) {
+      const double needed = share * std::max(count, kept->first);
+      if (std::min(count, kept->first) < needed) continue;
+      for (const Entry& entry : kept->second) {
+        if (!config_.across_clusters && entry.cluster != cluster) continue;
+        if (countShared(points, hypotheses_[entry.index].points) >= needed) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  struct Entry {
+    int index, cluster;
+  };
+  const std::vector<BoxHypothesis>& hypotheses_;
+  const FilterConfig& config_;
+  std::map<int, std::vector<Entry>> with_points_;
+};
 
 }  // namespace
 
@@ -67,12 +91,8 @@ std::vector<BoxHypothesis> filterBoxes(const std::vector<ScoredBox>& boxes, cons
                                        const std::vector<PointOverlap>& overlaps, const FilterConfig& config) {
   Clusters clusters(config.cluster_radius_m);
   std::vector<int> members;  // per cluster: boxes looked at so far
-  struct Kept {
-    int cluster, points;
-  };
-  std::vector<Kept> kept;
   std::vector<BoxHypothesis> hypotheses;
-  std::vector<int> order;  // of the hypotheses, most recent conflict first: neighbours in score are often alike
+  KeptBoxes kept(hypotheses, config);
   for (const auto& scored : boxes) {
     const int cluster = clusters.assign(centreOf(scored.box, grids[scored.box.angle]));
     if (cluster == static_cast<int>(members.size())) members.push_back(0);
@@ -80,18 +100,9 @@ std::vector<BoxHypothesis> filterBoxes(const std::vector<ScoredBox>& boxes, cons
     ++members[cluster];
     PointSet points = overlaps[scored.box.angle].inside(scored.box);
     const int count = countPoints(points);
-    if (count == 0) continue;
-    const auto rival = std::find_if(order.begin(), order.end(), [&](int i) {
-      return (config.across_clusters || kept[i].cluster == cluster) &&
-             inConflict(points, count, hypotheses[i].points, kept[i].points, config.conflict_share);
-    });
-    if (rival != order.end()) {
-      std::rotate(order.begin(), rival, rival + 1);
-      continue;
-    }
-    order.insert(order.begin(), static_cast<int>(hypotheses.size()));
+    if (count == 0 || kept.conflictsWith(points, count, cluster)) continue;
+    kept.add(static_cast<int>(hypotheses.size()), count, cluster);
     hypotheses.push_back({scored, std::move(points)});
-    kept.push_back({cluster, count});
   }
   return hypotheses;
 }

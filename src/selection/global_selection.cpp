@@ -107,6 +107,22 @@ class Annealer {
     return false;
   }
 
+  /// Leaves the active i for the rival that gains most, if one does.
+  bool improveBySwap(int i) {
+    const double first = cost_.flip(i);
+    int partner = i;
+    double lowest = -kRounding;
+    for (const int j : rivals_[i]) {
+      if (cost_.active()[j]) continue;
+      const double delta = first + cost_.flipDelta(j);
+      if (delta >= lowest) continue;
+      lowest = delta;
+      partner = j;
+    }
+    cost_.flip(partner);
+    return partner != i;
+  }
+
   /// From the best selection down to where no flip, takeover or swap gains.
   void descend() {
     const int n = cost_.size();
@@ -117,10 +133,7 @@ class Annealer {
       improved = false;
       for (int i = 0; i < n; ++i) {
         improved |= improve({i});
-        if (!cost_.active()[i]) improved |= improve(takeover(i));
-        for (const int j : rivals_[i]) {
-          if (cost_.active()[i] != cost_.active()[j]) improved |= improve({i, j});
-        }
+        improved |= cost_.active()[i] ? improveBySwap(i) : improve(takeover(i));
       }
     }
     remember();

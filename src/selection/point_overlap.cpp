@@ -2,29 +2,20 @@
 #include "objectness_segmentation/selection/point_overlap.hpp"
 
 #include <algorithm>
-#include <bitset>
 #include <cmath>
+
+#include "objectness_segmentation/selection/bit_kernel.hpp"
 
 namespace objectness {
 namespace {
 
 constexpr int kBits = 64;
 
-int popcount(std::uint64_t word) { return static_cast<int>(std::bitset<kBits>(word).count()); }
-
 }  // namespace
 
-int countPoints(const PointSet& set) {
-  int count = 0;
-  for (const auto word : set) count += popcount(word);
-  return count;
-}
+int countPoints(const PointSet& set) { return countBits(set.data(), set.size()); }
 
-int countShared(const PointSet& a, const PointSet& b) {
-  int count = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) count += popcount(a[i] & b[i]);
-  return count;
-}
+int countShared(const PointSet& a, const PointSet& b) { return countCommonBits(a.data(), b.data(), a.size()); }
 
 bool sharePoints(const PointSet& a, const PointSet& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {

@@ -120,7 +120,7 @@ cv::Mat_<cv::Vec3b> drawOverlay(const Frame& frame, const Segmentation& result) 
     drawBox(frame.camera, result.segments[k].box, bgr(k), thickness, image);
   }
   for (std::size_t k = 0; k < result.segments.size(); ++k)
-    drawLabel(result.segments[k], static_cast<int>(k) + 2, scale, image);
+    drawLabel(result.segments[k], static_cast<int>(k) + kFirstObjectLabel, scale, image);
   return image;
 }
 

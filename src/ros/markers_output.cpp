@@ -64,7 +64,7 @@ void addObject(const objectness::Segment& segment, int rank, const std_msgs::Hea
   label.scale.z = kTextHeight;
   label.color = toColor(kWhite);
   char text[48];
-  std::snprintf(text, sizeof(text), "%d: %.2f", rank + 1, segment.objectness);
+  std::snprintf(text, sizeof(text), "%d: %.2f", objectness::kFirstObjectLabel + rank, segment.objectness);
   label.text = text;
 
   markers.push_back(std::move(box));

@@ -22,6 +22,7 @@ static_assert(static_cast<int>(StatusCode::kVolumeTooLarge) == SegmentedObjectAr
 static_assert(static_cast<int>(StatusCode::kBadInput) == SegmentedObjectArray::BAD_INPUT);
 static_assert(static_cast<int>(StatusCode::kCancelled) == SegmentedObjectArray::CANCELLED);
 static_assert(static_cast<int>(StatusCode::kInternalError) == SegmentedObjectArray::INTERNAL_ERROR);
+static_assert(objectness::kFirstObjectLabel == SegmentedObject::LABEL_FIRST_OBJECT);
 
 std::uint64_t countNamed(const objectness::Report& report, const std::string& name) {
   for (const auto& [key, count] : report.counts) {

@@ -87,7 +87,7 @@ cv::Mat_<ushort> labelImage(const cv::Mat_<uchar>& on_table, const std::vector<S
   labels.setTo(1, on_table);
   for (std::size_t k = 0; k < segments.size(); ++k) {
     for (const int pixel : segments[k].pixels)
-      labels(pixel / labels.cols, pixel % labels.cols) = static_cast<ushort>(k + 2);
+      labels(pixel / labels.cols, pixel % labels.cols) = static_cast<ushort>(k + kFirstObjectLabel);
   }
   return labels;
 }

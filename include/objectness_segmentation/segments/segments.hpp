@@ -53,6 +53,9 @@ OrientedBox orientedBox(const Box& box, const Grid& grid, const Eigen::Isometry3
 std::vector<Segment> cutSegments(const Frame& frame, const Eigen::Isometry3d& T_table_camera, const CuePoints& points,
                                  const std::vector<SelectedBox>& boxes, double margin_m, const SegmentsConfig& config);
 
+/// What segments[0] is called in label images, clouds, messages and pictures; 1 is the table, 0 nothing.
+constexpr int kFirstObjectLabel = 2;
+
 /// The label image of Segmentation::labels: 0 nothing, 1 table, 2 + i: segments[i].
 cv::Mat_<ushort> labelImage(const cv::Mat_<uchar>& on_table, const std::vector<Segment>& segments);
 

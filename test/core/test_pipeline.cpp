@@ -205,7 +205,7 @@ TEST(Pipeline, SearchEqualsThePlainLoopOnARealScene) {
   const SearchTask task{samplingOf(config.search, config.volume.voxel_m),
                         ringOf(config.objectness, config.volume.voxel_m), config.objectness, config.filter.threshold};
   std::size_t boxes = 0;
-  for (int angle = 0; angle < 18; angle += 6) {
+  for (int angle = 0; angle < 18; ++angle) {
     const Grid grid = makeGrid(points, sampledAngles(config.search)[angle], config.volume, 3, 3, 45);
     const CueVolumes volumes = buildCueVolumes(frame, seen.table, points, grid, config.volume, task.ring.z);
     const SearchResult fast = searchScan(volumes, angle, task), plain = searchPlain(volumes, angle, task);

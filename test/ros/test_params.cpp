@@ -21,7 +21,7 @@ using objectness::ConfigField;
 using objectness::configFields;
 using Generated = ObjectnessSegmentationConfig;
 
-constexpr char kOutOfDate[] = "cfg/ObjectnessSegmentation.cfg is out of date: run scripts/update_cfg";
+constexpr char kOutOfDate[] = "cfg/ObjectnessSegmentation.cfg is out of date: run scripts/update_parameters";
 
 /// name -> value of any type, as written in messages: type and text.
 std::map<std::string, std::string> valuesOf(const dynamic_reconfigure::Config& message) {

@@ -146,3 +146,8 @@ TEST_F(SegmentTool, LinksNoRos) {
   for (const char* ros : {"libroscpp", "librostime", "libnodelet"})
     EXPECT_EQ(libraries.find(ros), std::string::npos) << ros;
 }
+
+TEST(Parameters, TheFilesWrittenFromTheFieldListsAreFresh) {
+  const std::string check = "/usr/bin/python3 " REPOSITORY_DIR "/scripts/update_parameters --check " TOOL_DIR;
+  EXPECT_EQ(std::system(check.c_str()), 0) << "run scripts/update_parameters";
+}

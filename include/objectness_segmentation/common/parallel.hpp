@@ -25,14 +25,14 @@ void parallelFor(int count, int threads, Work&& work) {
       if (!failed.exchange(true)) failure = std::current_exception();
     }
   };
-  std::vector<std::thread> helpers;
+  std::vector<std::thread> workers;
   try {
-    for (int i = 1; i < threads && i < count; ++i) helpers.emplace_back(run);
+    for (int i = 1; i < threads && i < count; ++i) workers.emplace_back(run);
   } catch (const std::exception&) {
     // No more threads to be had: those that started and this one do the work.
   }
   run();
-  for (auto& helper : helpers) helper.join();
+  for (auto& worker : workers) worker.join();
   if (failure) std::rethrow_exception(failure);
 }
 

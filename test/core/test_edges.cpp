@@ -9,14 +9,6 @@ using namespace objectness_test;
 
 namespace {
 
-const Surface kTable = slab(-0.6, -0.4, 0.6, 0.4, 0);
-
-Scene sceneOf(std::vector<Surface> surfaces) {
-  Scene scene;
-  scene.surfaces = std::move(surfaces);
-  return scene;
-}
-
 /// A low box in front of a high one, 15 cm apart.
 Scene boxBeforeBox() {
   return sceneOf({kTable, box({-0.15, 0.1, 0}, {0.15, 0.2, 0.25}), box({-0.05, -0.1, 0}, {0.05, -0.05, 0.2})});

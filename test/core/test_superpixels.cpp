@@ -13,14 +13,6 @@ using namespace objectness_test;
 
 namespace {
 
-const Surface kTable = slab(-0.6, -0.4, 0.6, 0.4, 0);
-
-Scene sceneOf(std::vector<Surface> surfaces) {
-  Scene scene;
-  scene.surfaces = std::move(surfaces);
-  return scene;
-}
-
 Superpixels superpixelsOf(const CueView& view, const SuperpixelsConfig& config = {}) {
   return findSuperpixels(view.frame, view.normals, view.table, view.points, config);
 }

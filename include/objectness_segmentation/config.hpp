@@ -6,6 +6,7 @@
 
 #include "objectness_segmentation/cues/edges.hpp"
 #include "objectness_segmentation/cues/superpixels.hpp"
+#include "objectness_segmentation/grouping/group_selection.hpp"
 #include "objectness_segmentation/integral/volume_config.hpp"
 #include "objectness_segmentation/objectness/objectness.hpp"
 #include "objectness_segmentation/scene/frame.hpp"
@@ -45,6 +46,9 @@ struct Config {
   ObjectnessConfig objectness;
   FilterConfig filter;
   SelectionConfig selection;
+  PiecesConfig pieces;
+  LinksConfig links;
+  GroupingConfig grouping;
   SegmentsConfig segments;
   RuntimeConfig runtime;
 
@@ -61,6 +65,9 @@ struct Config {
     visit("objectness", self.objectness);
     visit("filter", self.filter);
     visit("selection", self.selection);
+    visit("pieces", self.pieces);
+    visit("links", self.links);
+    visit("grouping", self.grouping);
     visit("segments", self.segments);
     visit("runtime", self.runtime);
   }

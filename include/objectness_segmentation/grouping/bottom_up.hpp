@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "objectness_segmentation/grouping/group_selection.hpp"
+
+namespace objectness {
+
+/// The pieces of a frame and what is known of each pair of them.
+struct PieceGraph {
+  Pieces pieces;
+  Borders borders;
+  std::vector<PairEvidence> pairs;
+};
+
+PieceGraph findPieceGraph(const Frame& frame, const Normals& normals, const Table& table,
+                          const ObjectPoints& object_points, const Superpixels& superpixels,
+                          const PiecesConfig& pieces, const LinksConfig& links);
+
+/// Groups of pieces that may be one object each, described but not yet judged.
+std::vector<GroupHypothesis> proposeObjects(const Frame& frame, const Table& table, const EdgeMap& edges,
+                                            const PieceGraph& graph, const std::vector<Link>& links, int max_groups,
+                                            int threads);
+
+/// Sets the objectness of each group.
+void judgeGroups(const LearnedObjectness& model, std::vector<GroupHypothesis>& groups);
+
+}  // namespace objectness

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "objectness_segmentation/grouping/group_cues.hpp"
+#include "objectness_segmentation/segments/segments.hpp"
+#include "objectness_segmentation/selection/set_packing.hpp"
+
+namespace objectness {
+
+struct GroupingConfig {
+  bool enabled = true;
+  int max_groups = 500;
+  double weight_objectness = 30.0;
+  double least_objectness = 0.4;
+  double weight_gaps = 0.5;
+  int exact_nodes = 200000;
+  int iterations = 50000;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("enabled", self.enabled,
+          "objects are groups of superpixels, judged by what was learned; off: the paper's own boxes");
+    visit("max_groups", self.max_groups, Range{1, 100000}, "groups that are judged, the best linked ones");
+    visit("weight_objectness", self.weight_objectness, Range{0, 1000},
+          "of the learned objectness of a group, per piece, beside the log odds of its links");
+    visit("least_objectness", self.least_objectness, Range{0, 1}, "a group under it is rather left out");
+    visit("weight_gaps", self.weight_gaps, Range{0, 10}, "of links over a gap; links in contact count 1");
+    visit("exact_nodes", self.exact_nodes, Range{0, 100000000},
+          "branch and bound gives up after so many steps, and annealing tries to better what it found");
+    visit("iterations", self.iterations, Range{0, 10000000}, "annealing: moves tried");
+  }
+};
+
+/// Value of each group for the packing: the log odds of its inner links, and weight_objectness times its objectness
+/// over least_objectness for each of its pieces. The sum of links keeps large groups from being joined for a few good
+/// cues.
+PackingProblem packingProblem(int pieces, const std::vector<Link>& links,
+                              const std::vector<GroupHypothesis>& groups, const GroupingConfig& config);
+
+/// The groups of the best packing found, proven best where branch and bound gets through.
+Packing selectGroups(const PackingProblem& problem, const GroupingConfig& config, unsigned seed);
+
+/// The chosen groups as segments, best objectness first; groups of fewer than config.min_pixels are left out.
+std::vector<Segment> cutGroups(const Pieces& pieces, const std::vector<GroupHypothesis>& groups,
+                               const std::vector<int>& chosen, const SegmentsConfig& config);
+
+}  // namespace objectness

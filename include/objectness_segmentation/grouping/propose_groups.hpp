@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "objectness_segmentation/grouping/links.hpp"
+
+namespace objectness {
+
+/// Sets of pieces that may be one object, bottom-up over the links: every piece, the steps of three dendrograms, what a
+/// beam grows from each piece, and each of these with one piece more or less. Sorted, no two the same.
+std::vector<std::vector<int>> proposeGroups(int pieces, const std::vector<Link>& links, std::size_t most);
+
+}  // namespace objectness

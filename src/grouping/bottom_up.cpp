@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "objectness_segmentation/grouping/bottom_up.hpp"
+
+#include "objectness_segmentation/grouping/propose_groups.hpp"
+#include "objectness_segmentation/learning/cue_list.hpp"
+
+namespace objectness {
+
+PieceGraph findPieceGraph(const Frame& frame, const Normals& normals, const Table& table,
+                          const ObjectPoints& object_points, const Superpixels& superpixels,
+                          const PiecesConfig& pieces, const LinksConfig& links) {
+  PieceGraph graph;
+  graph.pieces = findPieces(frame, normals, object_points, superpixels, pieces);
+  graph.borders = findBorders(frame, object_points, graph.pieces);
+  graph.pairs = findPairEvidence(frame, normals, table, superpixels, graph.pieces, graph.borders, links);
+  return graph;
+}
+
+std::vector<GroupHypothesis> proposeObjects(const Frame& frame, const Table& table, const EdgeMap& edges,
+                                            const PieceGraph& graph, const std::vector<Link>& links, int max_groups,
+                                            int threads) {
+  const auto groups = proposeGroups(graph.pieces.count(), links, max_groups);
+  return describeGroups({frame, table, edges, graph.pieces, graph.borders, links}, groups, threads);
+}
+
+void judgeGroups(const LearnedObjectness& model, std::vector<GroupHypothesis>& groups) {
+  for (GroupHypothesis& group : groups) group.objectness = model.group.predict(cueValues(group.cues));
+}
+
+}  // namespace objectness

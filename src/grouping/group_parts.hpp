@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "objectness_segmentation/grouping/group_cues.hpp"
+
+namespace objectness {
+
+/// What is looked up again and again while groups are described: prepared once a frame.
+struct GroupParts {
+  GroupParts(const GroupEvidence& evidence);
+
+  const GroupEvidence& evidence;
+  // Per piece; points in the table frame, a sample of all.
+  std::vector<std::vector<Eigen::Vector3f>> points, edges;
+  std::vector<std::vector<cv::Point>> outline;  ///< pixels
+  float edge_stride = 1;                        ///< pixels of edges that a sampled one stands for
+  Eigen::Isometry3f T_camera_table = Eigen::Isometry3f::Identity();
+  Eigen::Vector3f eye = Eigen::Vector3f::Zero();  ///< the camera, table frame
+};
+
+/// A group as a list and as flags per piece.
+struct Members {
+  const std::vector<int>& list;
+  std::vector<char> inside;
+};
+
+void addLinkCues(const GroupEvidence& evidence, const Members& group, GroupCues& cues);
+void addOutlineCues(const GroupEvidence& evidence, const Members& group, GroupCues& cues);
+// Boxes are in the table frame here, as the points are.
+void addBoxCues(const GroupParts& parts, const Members& group, const OrientedBox& box, GroupCues& cues);
+void addVolumeCues(const GroupParts& parts, const Members& group, const OrientedBox& box, GroupCues& cues);
+
+/// ln(p / (1 - p)), with p kept off certainty.
+float logOdds(float probability);
+
+}  // namespace objectness

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "objectness_segmentation/grouping/group_selection.hpp"
+
+#include <algorithm>
+
+#include "group_parts.hpp"
+
+namespace objectness {
+
+PackingProblem packingProblem(int pieces, const std::vector<Link>& links, const std::vector<GroupHypothesis>& groups,
+                              const GroupingConfig& config) {
+  std::vector<std::vector<std::pair<int, double>>> linked(pieces);  // by the first piece of each link
+  for (const Link& link : links) {
+    linked[link.first].emplace_back(link.second, (link.contact ? 1 : config.weight_gaps) * logOdds(link.probability));
+  }
+  PackingProblem problem;
+  problem.elements = pieces;
+  for (const GroupHypothesis& group : groups) {
+    double value = config.weight_objectness * (group.objectness - config.least_objectness) * group.pieces.size();
+    for (const int first : group.pieces) {
+      for (const auto& [second, odds] : linked[first]) {
+        if (std::binary_search(group.pieces.begin(), group.pieces.end(), second)) value += odds;
+      }
+    }
+    problem.sets.push_back(group.pieces);
+    problem.values.push_back(value);
+  }
+  return problem;
+}
+
+Packing selectGroups(const PackingProblem& problem, const GroupingConfig& config, unsigned seed) {
+  Packing exact = packExactly(problem, config.exact_nodes);
+  if (exact.optimal) return exact;
+  Packing annealed = packByAnnealing(problem, config.iterations, seed);
+  annealed.bound = std::min(annealed.bound, exact.bound);
+  exact.bound = annealed.bound;
+  return annealed.value > exact.value ? annealed : exact;
+}
+
+std::vector<Segment> cutGroups(const Pieces& pieces, const std::vector<GroupHypothesis>& groups,
+                               const std::vector<int>& chosen, const SegmentsConfig& config) {
+  std::vector<Segment> segments;
+  for (const int k : chosen) {
+    const GroupHypothesis& group = groups[k];
+    Segment segment;
+    segment.box = group.box;
+    segment.objectness = group.objectness;
+    segment.cues = {group.cues.edge_density, group.cues.outer_edges, group.cues.straddling, group.cues.free, 0};
+    for (const int piece : group.pieces) {
+      const std::vector<int>& pixels = pieces.pieces[piece].pixels;
+      segment.pixels.insert(segment.pixels.end(), pixels.begin(), pixels.end());
+    }
+    std::sort(segment.pixels.begin(), segment.pixels.end());
+    if (static_cast<int>(segment.pixels.size()) >= config.min_pixels) segments.push_back(std::move(segment));
+  }
+  std::stable_sort(segments.begin(), segments.end(),
+                   [](const Segment& a, const Segment& b) { return a.objectness > b.objectness; });
+  return segments;
+}
+
+}  // namespace objectness

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "objectness_segmentation/grouping/links.hpp"
+
+#include "objectness_segmentation/learning/cue_list.hpp"
+
+namespace objectness {
+namespace {
+
+constexpr int kOutlinePixels = 64;  // of a piece: gaps are wide, their cues are shares
+
+}  // namespace
+
+std::vector<PairEvidence> findPairEvidence(const Frame& frame, const Normals& normals, const Table& table,
+                                           const Superpixels& superpixels, const Pieces& pieces,
+                                           const Borders& borders, const LinksConfig& config) {
+  std::vector<PairEvidence> evidence;
+  const std::vector<std::vector<int>> outlines = outlinePixels(pieces, kOutlinePixels);
+  for (int first = 0; first < pieces.count(); ++first) {
+    for (int second = first + 1; second < pieces.count(); ++second) {
+      const auto border = borders.pairs.find({first, second});
+      if (border != borders.pairs.end() && !border->second.samples.empty()) {
+        evidence.push_back({first, second,
+                            findContactCues(frame, normals, table, superpixels, pieces, borders, first, second)});
+      } else if (const auto gap = findGapCues(frame, table, pieces, outlines, first, second, config.max_gap_m)) {
+        evidence.push_back({first, second, *gap});
+      }
+    }
+  }
+  return evidence;
+}
+
+std::vector<Link> judgePairs(const std::vector<PairEvidence>& evidence, const Borders& borders,
+                             const LearnedObjectness& model) {
+  std::vector<Link> links;
+  links.reserve(evidence.size());
+  for (const PairEvidence& pair : evidence) {
+    if (const auto* contact = std::get_if<ContactCues>(&pair.cues)) {
+      const float length = borders.pairs.at({pair.first, pair.second}).contact;
+      links.push_back({pair.first, pair.second, true, model.contact.predict(cueValues(*contact)),
+                       contact->angle_median_deg, length});
+    } else {
+      links.push_back({pair.first, pair.second, false, model.gap.predict(cueValues(std::get<GapCues>(pair.cues)))});
+    }
+  }
+  return links;
+}
+
+}  // namespace objectness

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "objectness_segmentation/grouping/pieces.hpp"
+
+#include "objectness_segmentation/segments/geodesic_assignment.hpp"
+#include "../scene/connected_points.hpp"
+
+namespace objectness {
+namespace {
+
+double pixelArea(const Frame& frame, int pixel) {
+  const double z = frame.points[pixel].z();
+  return z * z / (frame.camera.fx * frame.camera.fy);
+}
+
+/// Connected points that no superpixel reaches become pieces when they show enough surface.
+void addRoughParts(const Frame& frame, const ObjectPoints& object_points, const PiecesConfig& config, Pieces& pieces) {
+  cv::Mat_<uchar> rest = (pieces.label < 0) & object_points.mask;
+  int count = 0;
+  const Gap gap{static_cast<float>(config.max_step_m), 0, 0, {}};
+  const cv::Mat_<int> part = connectPoints(frame.points, rest, gap, count);
+  std::vector<int> pixels(count + 1, 0), piece_of(count + 1, -1);
+  std::vector<double> area(count + 1, 0);
+  for (int i = 0; i < frame.size(); ++i) {
+    if (part(i) == 0) continue;
+    ++pixels[part(i)];
+    area[part(i)] += pixelArea(frame, i);
+  }
+  int next = pieces.count();
+  for (int k = 1; k <= count; ++k) {
+    if (pixels[k] >= config.min_pixels && area[k] >= config.min_area_m2) piece_of[k] = next++;
+  }
+  pieces.pieces.resize(next);
+  for (int i = 0; i < frame.size(); ++i) {
+    if (part(i) > 0) pieces.label(i) = piece_of[part(i)];
+  }
+}
+
+void describe(const Frame& frame, const Normals& normals, const Superpixels& superpixels, Pieces& pieces) {
+  for (int i = 0; i < frame.size(); ++i) {
+    if (pieces.label(i) < 0) continue;
+    Piece& piece = pieces.pieces[pieces.label(i)];
+    piece.pixels.push_back(i);
+    piece.smooth_pixels += superpixels.label(i) > 0;
+    piece.area_m2 += static_cast<float>(pixelArea(frame, i));
+    piece.centroid += frame.points[i];
+    if (normals.radius_px[i] > 0) piece.mean_normal += normals.normal[i];
+  }
+  for (Piece& piece : pieces.pieces) {
+    piece.centroid /= static_cast<float>(std::max<std::size_t>(1, piece.pixels.size()));
+    piece.mean_normal /= static_cast<float>(std::max<std::size_t>(1, piece.pixels.size()));
+  }
+}
+
+}  // namespace
+
+Pieces findPieces(const Frame& frame, const Normals& normals, const ObjectPoints& object_points,
+                  const Superpixels& superpixels, const PiecesConfig& config) {
+  Pieces pieces;
+  pieces.label = superpixels.label - 1;
+  pieces.pieces.resize(superpixels.count);
+  assignGeodesic(frame, object_points.mask, {config.max_step_m, config.max_reach_m}, pieces.label);
+  addRoughParts(frame, object_points, config, pieces);
+  describe(frame, normals, superpixels, pieces);
+  return pieces;
+}
+
+}  // namespace objectness

@@ -14,9 +14,9 @@ struct MpsConfig {
   double plane_max_curvature = 0.001;
   int min_plane_pixels = 10000;
   bool object_planes = true;
-  double cluster_distance_m = 0.005;
+  double cluster_distance_m = 0.008;
   bool depth_dependent = false;
-  int min_pixels = 100;
+  int min_pixels = 300;
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
@@ -38,19 +38,19 @@ struct MpsConfig {
 /// LCCP: supervoxels of the points above the table, joined where their border is convex (Stein, Schoeler, Papon &
 /// Woergoetter, CVPR 2014; pcl::SupervoxelClustering and pcl::LCCPSegmentation).
 struct LccpConfig {
-  double voxel_m = 0.006;
-  double seed_m = 0.025;
+  double voxel_m = 0.0075;
+  double seed_m = 0.04;
   double color_importance = 0.0;
   double spatial_importance = 1.0;
   double normal_importance = 4.0;
   bool single_camera_transform = false;
   bool own_normals = false;
-  double concavity_deg = 15.0;
+  double concavity_deg = 10.0;
   bool smoothness_check = true;
   double smoothness = 0.1;
-  bool sanity_check = false;
+  bool sanity_check = true;
   int k_convexity = 0;
-  int min_segment_supervoxels = 20;
+  int min_segment_supervoxels = 10;
   int min_pixels = 100;
 
   template <class Self, class Visit>

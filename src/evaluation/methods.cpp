@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "objectness_segmentation/io/config_yaml.hpp"
+#include "objectness_segmentation/peers/peers.hpp"
 #include "objectness_segmentation/pipeline.hpp"
 
 namespace objectness::evaluation {
@@ -11,6 +12,12 @@ namespace {
 
 Method ownMethod(const std::string& name, const std::string& description, const Config& config) {
   return {name, description, toYaml(config), [config](const Frame& frame) { return segment(frame, config); }};
+}
+
+/// Peers get the table and the points above it that the package's defaults find.
+Method peerMethod(Peer peer, const std::string& description, const Config& config) {
+  return {toString(peer), description, settingsText(peer, PeersConfig{}) + "\n\n" + toYaml(config),
+          [peer, config](const Frame& frame) { return segmentWithPeer(peer, frame, config, PeersConfig{}); }};
 }
 
 std::vector<Method> allMethods(int threads) {
@@ -22,6 +29,9 @@ std::vector<Method> allMethods(int threads) {
       ownMethod("objectness", "The package's default.", defaults),
       ownMethod("paper", "The paper's system; whole superpixels follow the box that holds most of them.", defaults),
       ownMethod("boxes", "The paper's system; segments are the pixels within its boxes.", plain_boxes),
+      peerMethod(Peer::kMps, "PCL's organized multi-plane segmentation, the paper's baseline.", defaults),
+      peerMethod(Peer::kLccp, "PCL's locally convex connected patches over supervoxels.", defaults),
+      peerMethod(Peer::kCpc, "PCL's constrained planar cuts over supervoxels.", defaults),
   };
 }
 

@@ -42,8 +42,10 @@ ObjectCloud collectPoints(const Frame& frame, const Normals& normals, const cv::
   return cloud;
 }
 
-/// Supervoxels, given to `segmenter`; its labels brought back to the pixels.
-std::vector<int> labelBy(pcl::LCCPSegmentation<Point>& segmenter, const Frame& frame, const Normals& normals,
+/// Supervoxels, given to `segmenter`; its labels brought back to the pixels. A template, since PCL's segment() is not
+/// virtual: by its base a CPCSegmentation would not cut.
+template <class Segmenter>
+std::vector<int> labelBy(Segmenter& segmenter, const Frame& frame, const Normals& normals,
                          const cv::Mat_<uchar>& object_mask, const LccpConfig& config) {
   std::vector<int> labels(frame.size(), 0);
   const ObjectCloud cloud = collectPoints(frame, normals, object_mask, config.own_normals);

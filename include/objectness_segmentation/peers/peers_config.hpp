@@ -51,7 +51,7 @@ struct LccpConfig {
   bool sanity_check = true;
   int k_convexity = 0;
   int min_segment_supervoxels = 10;
-  int min_pixels = 100;
+  int min_pixels = 300;
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {

@@ -11,7 +11,7 @@ namespace objectness::evaluation {
 namespace {
 
 Method ownMethod(const std::string& name, const std::string& description, const Config& config) {
-  return {name, description, toYaml(config), [config](const Frame& frame) { return segment(frame, config); }};
+  return {name, description, toYaml(config), [config](const Frame& frame) { return segment(frame, config); }, true};
 }
 
 /// Peers get the table and the points above it that the package's defaults find.

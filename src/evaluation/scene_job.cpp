@@ -6,11 +6,14 @@
 #include <boost/crc.hpp>
 #include <filesystem>
 #include <new>
+#include <set>
 
 #include "io/file_access.hpp"
 #include "io/png_file.hpp"
+#include "objectness_segmentation/evaluation/true_boxes.hpp"
 #include "objectness_segmentation/io/overlay.hpp"
 #include "objectness_segmentation/io/scene_folder.hpp"
+#include "objectness_segmentation/selection/box_filter.hpp"
 
 namespace objectness::evaluation {
 namespace fs = std::filesystem;
@@ -45,6 +48,14 @@ cv::Mat_<cv::Vec3b> drawTruth(const Frame& frame, const cv::Mat_<ushort>& truth)
 }
 
 std::string sizeText(const cv::Size& size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
+
+int countObjects(const cv::Mat_<ushort>& annotation) {
+  std::set<ushort> objects;
+  for (const ushort label : truthAtLevel(annotation, Level::kObject)) {
+    if (label >= kFirstObjectLabel) objects.insert(label);
+  }
+  return static_cast<int>(objects.size());
+}
 
 Segmentation runGuarded(const Method& method, const Frame& frame) {
   Segmentation result;
@@ -85,6 +96,12 @@ class Job {
     if (!found.status.ok()) return fail(found.status.message);
     result_.segments = static_cast<int>(found.segments.size());
     score(found.labels);
+    if (method_.proposes_boxes) {
+      const auto boxes = findTrueBoxes(scene_.folder, frame.value, found.table, annotation_);
+      if (!boxes.ok()) return refuse(boxes.status.message);
+      result_.proposals =
+          toFigures(measureProposals(frame.value, found, annotation_, boxes.value, FilterConfig{}.box_margin_m));
+    }
     const Status pictures = savePictures(frame.value, found);
     return pictures.ok() ? saveResult(report_, result_) : pictures;
   }
@@ -115,6 +132,11 @@ class Job {
     result_.state = SceneResult::State::kFailed;
     result_.problem = problem;
     score(cv::Mat_<ushort>(annotation_.size(), ushort{0}));
+    if (method_.proposes_boxes) {
+      ProposalFigures none;
+      none.objects = countObjects(annotation_);
+      result_.proposals = toFigures(none);
+    }
     return saveResult(report_, result_);
   }
 
@@ -151,7 +173,7 @@ class Job {
 
 std::string madeFrom(const std::string& commit, const Method& method, const Scene& scene) {
   std::string files;
-  for (const char* name : {"depth.png", "color.png", "camera.yaml", "labels.png"}) {
+  for (const char* name : {"depth.png", "color.png", "camera.yaml", "labels.png", "objects.yaml"}) {
     const Result<std::string> bytes = readFile((fs::path(scene.folder) / name).string(), kMaxFileBytes);
     files += name + checksum(bytes.value);  // a missing file is the job's business
   }

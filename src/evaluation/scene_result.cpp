@@ -45,6 +45,7 @@ SceneResult toResult(const Json& json) {
   result.object = toScores(json.at("object"));
   result.part = toScores(json.at("part"));
   json.at("segments").get_to(result.segments);
+  for (const auto& [column, value] : json.at("proposals").items()) result.proposals.emplace_back(column, value);
   for (const auto& [stage, ms] : json.at("timings_ms").items()) result.timings_ms.emplace_back(stage, ms);
   json.at("peak_mib").get_to(result.peak_mib);
   return result;
@@ -64,7 +65,8 @@ std::string resultPath(const std::string& report, const std::string& method, con
 }
 
 Status saveResult(const std::string& report, const SceneResult& result) {
-  Json timings = Json::object();
+  Json timings = Json::object(), proposals = Json::object();
+  for (const auto& [column, value] : result.proposals) proposals[column] = value;
   for (const auto& [stage, ms] : result.timings_ms) timings[stage] = ms;
   const Json json = {{"scene", result.scene},
                      {"method", result.method},
@@ -73,6 +75,7 @@ Status saveResult(const std::string& report, const SceneResult& result) {
                      {"object", toJson(result.object)},
                      {"part", toJson(result.part)},
                      {"segments", result.segments},
+                     {"proposals", proposals},
                      {"timings_ms", timings},
                      {"peak_mib", result.peak_mib},
                      {"made_from", result.made_from}};

@@ -51,13 +51,15 @@ struct Sums {
   int scenes = 0;
   std::vector<double> ms;
   double peak_mib = 0;
+  std::vector<Figures> proposals;
 
   static Scores zero() {
     Scores scores;
     Scores::fields(scores, [](const char*, double& value) { value = 0; });
     return scores;
   }
-  void add(const SceneResult& result, const Scores& more) {
+  void add(const SceneResult& result, Level level) {
+    const Scores& more = *result.scores(level);
     std::vector<double> values;
     Scores::fields(more, [&](const char*, double value) { values.push_back(value); });
     auto next = values.begin();
@@ -65,13 +67,17 @@ struct Sums {
     ++scenes;
     if (const auto total = result.totalMs()) ms.push_back(*total);
     peak_mib = std::max(peak_mib, result.peak_mib);
+    if (level == Level::kObject) proposals.push_back(result.proposals);
   }
-  std::vector<std::pair<std::string, double>> columns() const {
-    std::vector<std::pair<std::string, double>> columns{{"scenes", scenes}};
+  Figures columns() const {
+    Figures columns{{"scenes", scenes}};
     Scores::fields(scores, [&](const char* name, double sum) { columns.emplace_back(name, sum / scenes); });
     columns.emplace_back("ms", ms.empty() ? 0 : median(ms));
     columns.emplace_back("peak_mib", peak_mib);
     return columns;
+  }
+  SummaryRow row(const std::string& method, Level level, const std::string& group) const {
+    return {method, toString(level), group, columns(), poolProposals(proposals)};
   }
 };
 
@@ -81,7 +87,10 @@ std::string toCsv(const Run& run, const std::vector<SceneResult>& results) {
   const Scores none;
   csv << "method,level,scene,group,state";
   Scores::fields(none, [&](const char* name, double) { csv << ',' << name; });
-  csv << ",segments,ms,peak_mib\n";
+  csv << ",segments,ms,peak_mib";
+  const Figures proposals = toFigures(ProposalFigures{});
+  for (const auto& column : proposals) csv << ',' << column.first;
+  csv << '\n';
   for (const auto& method : run.methods) {
     for (const Level level : run.levels) {
       for (const SceneResult& result : results) {
@@ -90,7 +99,12 @@ std::string toCsv(const Run& run, const std::vector<SceneResult>& results) {
             << csvCell(groups.at(result.scene)) << ',' << (result.problem.empty() ? "done" : "failed");
         Scores::fields(*result.scores(level), [&](const char*, double value) { csv << ',' << fixed(value, 5); });
         csv << ',' << result.segments << ',' << fixed(result.totalMs().value_or(0), 1) << ','
-            << fixed(result.peak_mib, 1) << '\n';
+            << fixed(result.peak_mib, 1);
+        const bool has_proposals = level == Level::kObject && !result.proposals.empty();
+        for (const auto& column : has_proposals ? result.proposals : proposals) {
+          csv << ',' << (has_proposals ? fixed(column.second, 5) : "");
+        }
+        csv << '\n';
       }
     }
   }
@@ -107,14 +121,13 @@ std::vector<SummaryRow> summarize(const Run& run, const std::vector<SceneResult>
       std::map<std::string, Sums> of_group;
       Sums of_all;
       for (const SceneResult& result : results) {
-        const auto& scores = result.scores(level);
-        if (result.method != method.name || !scores) continue;
+        if (result.method != method.name || !result.scores(level)) continue;
         const std::string& group = groups.at(result.scene);
-        if (group != kNoGroup) of_group[group].add(result, *scores);
-        of_all.add(result, *scores);
+        if (group != kNoGroup) of_group[group].add(result, level);
+        of_all.add(result, level);
       }
-      for (const auto& [group, sums] : of_group) rows.push_back({method.name, toString(level), group, sums.columns()});
-      if (of_all.scenes > 0) rows.push_back({method.name, toString(level), kAllGroups, of_all.columns()});
+      for (const auto& [group, sums] : of_group) rows.push_back(sums.row(method.name, level, group));
+      if (of_all.scenes > 0) rows.push_back(of_all.row(method.name, level, kAllGroups));
     }
   }
   return rows;
@@ -147,6 +160,7 @@ Status writeTables(const std::string& report, const Run& run, const std::vector<
   for (const SummaryRow& row : summarize(run, results)) {
     Json& columns = summary[row.method][row.level][row.group];
     for (const auto& [name, value] : row.columns) columns[name] = name == "scenes" ? Json(int(value)) : Json(value);
+    for (const auto& [name, value] : row.proposals) columns[name] = value;
   }
   const auto file = [&](const char* name) { return (fs::path(report) / name).string(); };
   const Status status = writeFile(file("scenes.csv"), toCsv(run, results));

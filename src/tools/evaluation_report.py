@@ -103,7 +103,42 @@ def draw_plots(report):
             title = method if level == "object" else "%s, parts" % method
             scatter([(float(row["P"]), float(row["R"])) for row in rows], title, path)
             plots.append(("%s: precision against recall, one point a scene (%d)" % (title, len(rows)), path))
+    for method in report.methods:
+        rows = [row for row in report.scenes(method, "object") if row["boxed_objects"]]
+        if not rows:
+            continue
+        path = report.path("plots", "best_box_%s.png" % method)
+        scatter([(float(row["best_P"]), float(row["best_R"])) for row in rows], "best box of %s" % method, path)
+        plots.append(("%s: the single box of highest objectness, one point a scene (%d)" % (method, len(rows)), path))
+        path = report.path("plots", "proposals_%s.png" % method)
+        draw_recall(report.summary[method]["object"]["ALL"], method, path)
+        plots.append(("%s: recall of true objects against the number of boxes kept" % method, path))
     return plots
+
+
+def kept_boxes(figures):
+    """The numbers of boxes for which there is a recall."""
+    return [int(name.split("_")[1]) for name in figures if name.startswith("box50_")]
+
+
+def draw_recall(figures, title, path):
+    """Recall of true boxes against the number of boxes kept, beside a list that knows nothing of the scene."""
+    figure, axes = plt.subplots(figsize=(4.6, 4.4))
+    kept = kept_boxes(figures)
+    for name, label, style in (("box50", "overlap 0.5", "o-"), ("box70", "overlap 0.7", "s-"),
+                               ("fixed50", "fixed list, 0.5", "o--"), ("fixed70", "fixed list, 0.7", "s--")):
+        color = "#1f77b4" if name.startswith("box") else "#999999"
+        axes.plot(kept, [figures["%s_%d" % (name, n)] for n in kept], style, color=color, label=label, clip_on=False)
+    axes.set_xscale("log")
+    axes.set_xticks(kept)
+    axes.set_xticklabels([str(n) for n in kept])
+    axes.minorticks_off()
+    axes.set(ylim=(0, 1), xlabel="Boxes kept", ylabel="Recall of true objects", title=title)
+    axes.grid(True, color="#dddddd")
+    axes.legend(loc="upper left", fontsize=8)
+    figure.tight_layout()
+    figure.savefig(path, dpi=110)
+    plt.close(figure)
 
 
 def embedded(path, jpeg=False):
@@ -144,6 +179,29 @@ def score_tables(report):
                 parts.append(table(["method"] + columns, rows))
     meaning = "".join("<dt>%s</dt><dd>%s</dd>" % item for item in MEANING.items())
     return "\n".join(parts) + "<h3>Columns</h3><p>Means over scenes.</p><dl>%s</dl>" % meaning
+
+
+def proposal_tables(report):
+    parts = []
+    for method in report.methods:
+        found = report.summary.get(method, {}).get("object", {})
+        if not found or "boxed_objects" not in found["ALL"]:
+            continue
+        kept = kept_boxes(found["ALL"])
+        for overlap in ("50", "70"):
+            header = ["group", "objects"] + ["%s %d" % (name, n) for name in ("boxes", "fixed") for n in kept]
+            rows = [[group, "%d" % figures["boxed_objects"]] + [
+                "%.3f" % figures["%s%s_%d" % (name, overlap, n)] for name in ("box", "fixed") for n in kept]
+                for group, figures in found.items()]
+            parts.append("<h3>%s, overlap of at least 0.%s</h3>" % (html.escape(method), overlap) + table(header, rows))
+        rows = [[group, "%.3f" % figures["best_P"], "%.3f" % figures["best_R"], "%.1f" % figures["proposals"]]
+                for group, figures in found.items()]
+        parts.append("<h3>%s, the single box of highest objectness</h3>" % html.escape(method) +
+                     table(["group", "precision", "recall", "boxes a scene"], rows))
+    if not parts:
+        return ""
+    return ("<h2>Proposals</h2><p>Share of the true objects that one of the first 1, 5, ... boxes overlaps in space, of "
+            "the method's boxes by objectness and of a fixed list that knows only the table.</p>") + "\n".join(parts)
 
 
 def cell(name, value):
@@ -215,7 +273,7 @@ def write_html(report, plots):
         "<!DOCTYPE html>", '<html lang="en"><head><meta charset="utf-8"><title>Evaluation</title>',
         "<style>%s</style></head><body>" % STYLE, "<h1>Evaluation</h1>", table(["", ""], origin),
         score_tables(report), '<h2>Plots</h2><div class="plots">%s</div>' % pictures,
-        stage_table(report), problem_list(report), worst_scenes(report),
+        proposal_tables(report), stage_table(report), problem_list(report), worst_scenes(report),
         "<h2>Methods and their settings</h2>", settings, "</body></html>", ""])
     unfinished = report.path("report.html.part")
     with open(unfinished, "w", encoding="utf-8") as f:

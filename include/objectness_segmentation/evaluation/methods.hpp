@@ -17,6 +17,7 @@ struct Method {
   std::string description;  ///< a sentence
   std::string settings;     ///< every value it ran with; two methods of equal settings give equal results
   std::function<Segmentation(const Frame&)> run;
+  bool proposes_boxes = false;  ///< fills Segmentation::proposals
 };
 
 /// The names makeMethods() knows, the default one first.

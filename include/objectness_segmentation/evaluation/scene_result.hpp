@@ -8,6 +8,7 @@
 
 #include "objectness_segmentation/common/stage_timer.hpp"
 #include "objectness_segmentation/common/status.hpp"
+#include "objectness_segmentation/evaluation/figures.hpp"
 #include "objectness_segmentation/evaluation/scores.hpp"
 
 namespace objectness::evaluation {
@@ -26,6 +27,7 @@ struct SceneResult {
   std::string problem;                 ///< of a state other than kDone, a sentence
   std::optional<Scores> object, part;  ///< by level; none when the truth has no objects
   int segments = 0;
+  Figures proposals;      ///< toFigures(), of methods that propose boxes
   StageTimes timings_ms;  ///< as in Report
   double peak_mib = 0;    ///< most memory its process held until the segments were there
 

@@ -7,8 +7,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <string>
 
+#include "fixtures/labelled_scene.hpp"
 #include "fixtures/tool.hpp"
-#include "objectness_segmentation/sim/demo_scene.hpp"
 
 using namespace objectness_test;
 using Json = nlohmann::json;
@@ -19,22 +19,13 @@ namespace {
 const char* const kColumns[] = {"P",   "R",     "OvP",  "OvR",  "OvF", "BdP", "BdR",     "BdF",
                                 "F75", "extra", "F_os", "F_us", "WO",  "ms",  "peak_mib"};
 
-/// Four scenes of two groups; they are small, and of the methods the quickest is run.
+/// Four small scenes of two groups; the quickest of the methods is run.
 class EvaluateTool : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     scenes_ = new TemporaryFolder;
     for (int i = 1; i <= 4; ++i) {
-      auto scene = objectness::sim::makeDemoScene(static_cast<std::uint32_t>(i));
-      const cv::Rect part(160, 120, 320, 300);  // of the image
-      scene.depth_mm = scene.depth_mm(part).clone();
-      scene.color = scene.color(part).clone();
-      scene.true_labels = scene.true_labels(part).clone();
-      scene.camera.width = part.width;
-      scene.camera.height = part.height;
-      scene.camera.cx -= part.x;
-      scene.camera.cy -= part.y;
-      ASSERT_TRUE(objectness::saveSceneFolder(*scenes_ / ("set/s" + std::to_string(i)), scene).ok());
+      saveLabelledScene(*scenes_ / ("set/s" + std::to_string(i)), 0.03 + 0.01 * i);
     }
     writeBytes(*scenes_ / "set_groups.csv", "scene,group\ns1,easy\ns2,easy\ns3,hard\ns4,hard\n");
   }
@@ -113,6 +104,23 @@ TEST_F(EvaluateTool, WritesTheReport) {
   }
 }
 
+TEST_F(EvaluateTool, MeasuresTheProposalsOfItsOwnMethods) {
+  ASSERT_EQ(run("--method boxes --method mps --report " + (folder_ / "report") + " " + all() + "/s1").exit_status, 0);
+  const Json figures = readJson("report/summary.json")["boxes"]["object"]["ALL"];
+  EXPECT_EQ(figures["boxed_objects"], 3);
+  EXPECT_GT(figures["best_P"], 0.9);
+  double last = 0;
+  for (const char* kept : {"1", "5", "10", "20", "100"}) {
+    const double recall = figures[std::string("box50_") + kept];
+    EXPECT_GE(recall, last);
+    EXPECT_LE(figures[std::string("box70_") + kept], recall);
+    EXPECT_GE(figures[std::string("fixed50_") + kept], 0);
+    last = recall;
+  }
+  EXPECT_GT(last, 0.6);
+  EXPECT_FALSE(readJson("report/summary.json")["mps"]["object"]["ALL"].contains("box50_1"));
+}
+
 TEST_F(EvaluateTool, TheReportIsOneFileWithItsPictures) {
   if (std::system("/usr/bin/python3 -c 'import matplotlib' 2>/dev/null") != 0) {
     GTEST_SKIP() << "the pictures need python3-matplotlib";
@@ -178,8 +186,8 @@ TEST_F(EvaluateTool, BadScenesCostOnlyThemselves) {
                     wall = copyScene("s1", "wall"), bare = copyScene("s1", "bare"), flat = copyScene("s1", "flat");
   truncateFile(cut + "/depth.png", 0.5);
   cv::imwrite(small + "/labels.png", cv::Mat(10, 10, CV_16UC1, cv::Scalar(20)));
-  cv::imwrite(wall + "/depth.png", cv::Mat(300, 320, CV_16UC1, cv::Scalar(0)));
-  cv::imwrite(flat + "/labels.png", cv::Mat(300, 320, CV_8UC1, cv::Scalar(20)));
+  cv::imwrite(wall + "/depth.png", cv::Mat(240, 320, CV_16UC1, cv::Scalar(0)));
+  cv::imwrite(flat + "/labels.png", cv::Mat(240, 320, CV_8UC1, cv::Scalar(20)));
   fs::remove(bare + "/labels.png");
   std::string scenes;
   for (const auto& scene : {good, cut, small, wall, bare, flat, folder_ / "missing"}) scenes += " " + scene;
@@ -187,7 +195,7 @@ TEST_F(EvaluateTool, BadScenesCostOnlyThemselves) {
   EXPECT_EQ(outcome.exit_status, 1);
   for (const char* text :
        {"cut, mps: depth.png: is cut off", "(counts as nothing found)", "wall, mps: ", "bare: holds no labels.png",
-        "small, mps: labels.png is 10 x 10, depth.png is 320 x 300", "(not counted)",
+        "small, mps: labels.png is 10 x 10, depth.png is 320 x 240", "(not counted)",
         "missing: there is no such folder",
         "flat, mps: labels.png: is 8-bit with 1 channel, must be 16-bit with 1 channel: a label a pixel"}) {
     EXPECT_NE(outcome.err.find(text), std::string::npos) << text << "\n" << outcome.err;

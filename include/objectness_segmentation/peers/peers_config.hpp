@@ -79,12 +79,12 @@ struct LccpConfig {
 struct CpcConfig {
   LccpConfig lccp;
   int max_cuts = 25;
-  int min_borders_for_cutting = 400;
-  double min_cut_score = 0.16;
+  int min_borders_for_cutting = 100;
+  double min_cut_score = 0.25;
   bool local_constraints = true;
   bool directed_weights = true;
   bool clean_cuts = false;
-  int ransac_iterations = 10000;
+  int ransac_iterations = 2000;
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {

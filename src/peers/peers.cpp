@@ -51,6 +51,10 @@ std::string problemOf(Peer peer, const Config& config, const PeersConfig& settin
   if (!problems.empty()) return problems.front();
   RangeCheck check{toString(peer), ""};
   visitFields(peer, settings, check);
+  const LccpConfig& lccp = peer == Peer::kCpc ? settings.cpc.lccp : settings.lccp;
+  if (check.problem.empty() && peer != Peer::kMps && lccp.seed_m < lccp.voxel_m) {
+    check.problem = std::string(toString(peer)) + ".seed_m is less than voxel_m: a supervoxel needs a voxel at least";
+  }
   return check.problem;
 }
 

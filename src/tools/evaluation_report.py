@@ -168,7 +168,7 @@ def score_tables(report):
         parts.append("<h2>Level: %s</h2>" % level)
         columns = ["scenes"] + SCORES + ["ms", "peak_mib"]
         by_method = {m: report.summary.get(m, {}).get(level, {}) for m in report.methods}
-        groups = sorted({group for found in by_method.values() for group in found if group != "ALL"}) + ["ALL"]
+        groups = ["ALL"] + sorted({group for found in by_method.values() for group in found if group != "ALL"})
         for group in groups:
             rows = []
             for method, found in by_method.items():
@@ -271,7 +271,7 @@ def write_html(report, plots):
         html.escape(m["name"]), html.escape(m["description"]), html.escape(m["settings"])) for m in run["methods"])
     text = "\n".join([
         "<!DOCTYPE html>", '<html lang="en"><head><meta charset="utf-8"><title>Evaluation</title>',
-        "<style>%s</style></head><body>" % STYLE, "<h1>Evaluation</h1>", table(["", ""], origin),
+        "<style>%s</style></head><body>" % STYLE, "<h1>Evaluation</h1>", table(["evaluated", ""], origin),
         score_tables(report), '<h2>Plots</h2><div class="plots">%s</div>' % pictures,
         proposal_tables(report), stage_table(report), problem_list(report), worst_scenes(report),
         "<h2>Methods and their settings</h2>", settings, "</body></html>", ""])

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/pipeline.hpp"
 
+#include <algorithm>
 #include <exception>
 
+#include "objectness_segmentation/grouping/bottom_up.hpp"
 #include "objectness_segmentation/search/angle_search.hpp"
 #include "objectness_segmentation/selection/hypotheses.hpp"
 
@@ -34,41 +36,70 @@ std::vector<RankedBox> rankedBoxes(const Hypotheses& candidates, const SearchOut
   return ranked;
 }
 
-/// The paper, stage by stage. Fills `result` as far as it gets.
-void run(const Frame& frame, const Config& config, const std::atomic<bool>* cancel, Segmentation& result) {
-  const auto stage = [&](const char* name, auto&& work) {
-    if (cancel && *cancel) throw Cancelled();
-    const StageTimer timer(result.report.timings_ms, name);
-    return work();
-  };
-  const auto count = [&](const char* name, auto value) { result.report.counts.emplace_back(name, value); };
+/// Best objectness first.
+std::vector<RankedBox> rankedBoxes(const std::vector<GroupHypothesis>& groups) {
+  std::vector<RankedBox> ranked;
+  for (const GroupHypothesis& group : groups) ranked.push_back({group.box, group.objectness});
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const RankedBox& a, const RankedBox& b) { return a.objectness > b.objectness; });
+  return ranked;
+}
 
-  // Sec. 2: the dominant plane, and the points above it.
-  const Normals normals = stage("normals", [&] { return estimateNormals(frame, config.normals); });
-  const Result<Table> found = stage("table", [&] { return findTable(frame, normals, config.table); });
-  const Table& table = result.table = found.value;
-  if (!found.ok()) {
-    result.status = found.status;
-    return;
+/// The stages of a frame: timed, counted, and not begun once cancelled.
+class Stages {
+ public:
+  Stages(const std::atomic<bool>* cancel, Report& report) : cancel_(cancel), report_(report) {}
+
+  template <class Work>
+  auto operator()(const char* name, Work&& work) const {
+    if (cancel_ && *cancel_) throw Cancelled();
+    const StageTimer timer(report_.timings_ms, name);
+    return work();
   }
+  template <class Value>
+  void count(const char* name, Value value) const {
+    report_.counts.emplace_back(name, value);
+  }
+  const std::atomic<bool>* cancelFlag() const { return cancel_; }
+
+ private:
+  const std::atomic<bool>* cancel_;
+  Report& report_;
+};
+
+/// What both methods start from: the table, the points on it, edges and superpixels. Returns the normals.
+Normals seeScene(const Frame& frame, const Config& config, const Stages& stage, Segmentation& result) {
+  // Sec. 2: the dominant plane, and the points above it.
+  Normals normals = stage("normals", [&] { return estimateNormals(frame, config.normals); });
+  Result<Table> found = stage("table", [&] { return findTable(frame, normals, config.table); });
+  result.status = found.status;
+  result.table = std::move(found.value);
+  if (!result.status.ok()) return normals;
   const ObjectPoints& above = result.object_points =
-      stage("object_points", [&] { return findObjectPoints(frame, normals, table, config.object_points); });
+      stage("object_points", [&] { return findObjectPoints(frame, normals, result.table, config.object_points); });
 
   // Sec. 2.3 and 3.1 to 3.3: edges and smooth superpixels.
-  result.edges = stage("edges", [&] { return findEdges(frame, normals, table, above, config.edges); });
+  result.edges = stage("edges", [&] { return findEdges(frame, normals, result.table, above, config.edges); });
   result.superpixels =
-      stage("superpixels", [&] { return findSuperpixels(frame, normals, table, above, config.superpixels); });
-  const CuePoints points = collectCuePoints(frame, table, above, result.edges, result.superpixels);
-  count("object_points", points.points.size());
-  count("edge_points", points.edges.size());
-  count("superpixels", result.superpixels.count);
+      stage("superpixels", [&] { return findSuperpixels(frame, normals, result.table, above, config.superpixels); });
+  stage.count("superpixels", result.superpixels.count);
+  return normals;
+}
+
+/// The paper: boxes of an exhaustive sampling, weighed by hand.
+void searchBoxes(const Frame& frame, const Config& config, const Stages& stage, Segmentation& result) {
+  const CuePoints points =
+      collectCuePoints(frame, result.table, result.object_points, result.edges, result.superpixels);
+  stage.count("object_points", points.points.size());
+  stage.count("edge_points", points.edges.size());
 
   // Sec. 2.1, 2.2 and 3.5: integral volumes for every angle, every box of the sampling scored.
-  const SearchOutcome search =
-      stage("search", [&] { return searchAllAngles(frame, table, points, searchSettings(config), cancel); });
-  count("boxes_sampled", search.sampled);
-  count("boxes_scored", search.scored);
-  count("boxes_passed", search.passed);
+  const SearchOutcome search = stage("search", [&] {
+    return searchAllAngles(frame, result.table, points, searchSettings(config), stage.cancelFlag());
+  });
+  stage.count("boxes_sampled", search.sampled);
+  stage.count("boxes_scored", search.scored);
+  stage.count("boxes_passed", search.passed);
   if (!search.status.ok()) {
     result.status = search.status;
     return;
@@ -79,8 +110,8 @@ void run(const Frame& frame, const Config& config, const std::atomic<bool>* canc
     return filterByObjectness(search.boxes, search.grids, points.points, config.filter, config.selection,
                               config.runtime.threads);
   });
-  result.proposals = rankedBoxes(candidates, search, table.T_table_camera);
-  count("hypotheses", candidates.boxes.size());
+  stage.count("hypotheses", candidates.boxes.size());
+  result.proposals = rankedBoxes(candidates, search, result.table.T_table_camera);
 
   // Sec. 4.2: the globally consistent choice.
   const Selection selection =
@@ -88,16 +119,59 @@ void run(const Frame& frame, const Config& config, const std::atomic<bool>* canc
 
   // Sec. 4: a segment is what falls within a selected box.
   result.segments = stage("segments", [&] {
-    return cutSegments(frame, table.T_table_camera, points, chosenBoxes(candidates, selection, search),
+    return cutSegments(frame, result.table.T_table_camera, points, chosenBoxes(candidates, selection, search),
                        config.filter.box_margin_m, config.segments);
   });
-  result.labels = labelImage(above.on_table, result.segments);
-  count("segments", result.segments.size());
 }
 
-}  // namespace
+/// Past the paper: groups of superpixels of any height and tilt, judged by what was learned.
+void groupPieces(const Frame& frame, const Config& config, const LearnedObjectness& model,
+                 const Stages& stage, const Normals& normals, Segmentation& result) {
+  const PieceGraph graph = stage("pieces", [&] {
+    return findPieceGraph(frame, normals, result.table, result.object_points, result.superpixels, config.pieces,
+                          config.links);
+  });
+  stage.count("pieces", graph.pieces.count());
+  stage.count("pairs", graph.pairs.size());
 
-Segmentation segment(const Frame& frame, const Config& config, const std::atomic<bool>* cancel) {
+  std::vector<Link> links;
+  const std::vector<GroupHypothesis> groups = stage("groups", [&] {
+    links = judgePairs(graph.pairs, graph.borders, model);
+    std::vector<GroupHypothesis> proposed = proposeObjects(frame, result.table, result.edges, graph, links,
+                                                           config.grouping.max_groups, config.runtime.threads);
+    judgeGroups(model, proposed);
+    return proposed;
+  });
+  stage.count("hypotheses", groups.size());
+  result.proposals = rankedBoxes(groups);
+
+  const Packing packing = stage("selection", [&] {
+    const PackingProblem problem = packingProblem(graph.pieces.count(), links, groups, config.grouping);
+    return selectGroups(problem, config.grouping, config.runtime.seed);
+  });
+  stage.count("selection_proven", packing.optimal);
+  result.segments =
+      stage("segments", [&] { return cutGroups(graph.pieces, groups, packing.chosen, config.segments); });
+}
+
+/// Fills `result` as far as it gets.
+void run(const Frame& frame, const Config& config, const LearnedObjectness* model, const std::atomic<bool>* cancel,
+         Segmentation& result) {
+  const Stages stage(cancel, result.report);
+  const Normals normals = seeScene(frame, config, stage, result);
+  if (!result.status.ok()) return;
+  if (config.grouping.enabled) {
+    groupPieces(frame, config, model ? *model : defaultModel(), stage, normals, result);
+  } else {
+    searchBoxes(frame, config, stage, result);
+  }
+  if (!result.status.ok()) return;
+  result.labels = labelImage(result.object_points.on_table, result.segments);
+  stage.count("segments", result.segments.size());
+}
+
+Segmentation segmentWith(const LearnedObjectness* model, const Frame& frame, const Config& config,
+                         const std::atomic<bool>* cancel) {
   Segmentation result;
   result.labels = cv::Mat_<ushort>(frame.height(), frame.width(), static_cast<ushort>(0));
   StageTimes total;
@@ -108,7 +182,7 @@ Segmentation segment(const Frame& frame, const Config& config, const std::atomic
       if (!problems.empty()) {
         result.status = Status::error(StatusCode::kBadConfig, problems.front());
       } else {
-        run(frame, config, cancel, result);
+        run(frame, config, model, cancel, result);
       }
     } catch (const Cancelled&) {
       result.status = Status::error(StatusCode::kCancelled, "cancelled between stages");
@@ -120,6 +194,17 @@ Segmentation segment(const Frame& frame, const Config& config, const std::atomic
   }
   result.report.timings_ms.push_back(total.front());
   return result;
+}
+
+}  // namespace
+
+Segmentation segment(const Frame& frame, const Config& config, const std::atomic<bool>* cancel) {
+  return segmentWith(nullptr, frame, config, cancel);
+}
+
+Segmentation segment(const Frame& frame, const Config& config, const LearnedObjectness& model,
+                     const std::atomic<bool>* cancel) {
+  return segmentWith(&model, frame, config, cancel);
 }
 
 }  // namespace objectness

@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "objectness_segmentation/config.hpp"
+#include "objectness_segmentation/learning/learned_objectness.hpp"
 #include "objectness_segmentation/result.hpp"
 #include "objectness_segmentation/scene/frame.hpp"
 
@@ -14,5 +15,9 @@ namespace objectness {
 /// The same frame and config give the same result for any number of threads (timings apart). Never throws for bad data:
 /// the reason is in Segmentation::status. `cancel`, when given, is looked at between stages and between box angles.
 Segmentation segment(const Frame& frame, const Config& config, const std::atomic<bool>* cancel = nullptr);
+
+/// The same with a model of one's own in the place of defaultModel().
+Segmentation segment(const Frame& frame, const Config& config, const LearnedObjectness& model,
+                     const std::atomic<bool>* cancel = nullptr);
 
 }  // namespace objectness

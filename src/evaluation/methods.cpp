@@ -23,11 +23,13 @@ Method peerMethod(Peer peer, const std::string& description, const Config& confi
 std::vector<Method> allMethods(int threads) {
   Config defaults;
   defaults.runtime.threads = threads;
-  Config plain_boxes = defaults;
+  Config paper = defaults;
+  paper.grouping.enabled = false;
+  Config plain_boxes = paper;
   plain_boxes.segments.follow_superpixels = false;
   return {
       ownMethod("objectness", "The package's default.", defaults),
-      ownMethod("paper", "The paper's system; whole superpixels follow the box that holds most of them.", defaults),
+      ownMethod("paper", "The paper's system; whole superpixels follow the box that holds most of them.", paper),
       ownMethod("boxes", "The paper's system; segments are the pixels within its boxes.", plain_boxes),
       peerMethod(Peer::kMps, "PCL's organized multi-plane segmentation, the paper's baseline.", defaults),
       peerMethod(Peer::kLccp, "PCL's locally convex connected patches over supervoxels.", defaults),

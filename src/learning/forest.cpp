@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/learning/forest.hpp"
 
+#include <iomanip>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -26,6 +27,13 @@ Forest::Node parseNode(const nlohmann::json& json) {
     node.right = json.at(3).get<int>();
   }
   return node;
+}
+
+/// To five digits, as a number that is written with no more.
+double rounded(float value) {
+  std::ostringstream text;
+  text << std::setprecision(5) << value;
+  return std::stod(text.str());
 }
 
 /// Children come after their parents: no walk is endless, none leaves the tree.
@@ -57,8 +65,8 @@ nlohmann::json toJson(const Forest& forest) {
   for (const auto& tree : forest.trees) {
     nlohmann::json nodes = nlohmann::json::array();
     for (const Forest::Node& node : tree) {
-      nodes.push_back(node.cue < 0 ? nlohmann::json{node.value}
-                                   : nlohmann::json{node.cue, node.threshold, node.left, node.right});
+      nodes.push_back(node.cue < 0 ? nlohmann::json{rounded(node.value)}
+                                   : nlohmann::json{node.cue, rounded(node.threshold), node.left, node.right});
     }
     trees.push_back(std::move(nodes));
   }

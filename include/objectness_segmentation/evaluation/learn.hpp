@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "objectness_segmentation/evaluation/scenes.hpp"
+#include "objectness_segmentation/evaluation/scores.hpp"
+#include "objectness_segmentation/learning/training_scene.hpp"
+
+namespace objectness::evaluation {
+
+struct LearnSettings {
+  Config config;
+  TrainingConfig training;
+  int folds = 5;
+  int threads = 2;
+  std::function<void(const std::string& stage, std::size_t done, std::size_t of)> progress;
+};
+
+/// How a scene is segmented by a model that was learned without it.
+struct HeldOutScores {
+  std::string scene, group;
+  Scores scores;
+};
+
+struct LearnedModel {
+  LearnedObjectness model;  ///< of all scenes
+  std::vector<HeldOutScores> held_out;
+  std::size_t contacts = 0, gaps = 0, groups = 0;  ///< samples
+  std::vector<std::string> notes;                  ///< scenes that taught nothing, and why
+};
+
+/// Learns the forests of LearnedObjectness. Scenes are dealt into folds, group by group. The forest of groups learns
+/// from links as forests of pairs that did not see the scene judge them: links look as uncertain in training as they
+/// will be. Does not depend on the number of threads.
+Result<LearnedModel> learn(const std::vector<Scene>& scenes, const LearnSettings& settings);
+
+}  // namespace objectness::evaluation

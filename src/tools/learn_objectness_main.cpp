@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Learns the model of the bottom-up method from labelled scenes: see `learn_objectness --help`.
+#include <unistd.h>
+
+#include <boost/program_options.hpp>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <map>
+
+#include "objectness_segmentation/evaluation/learn.hpp"
+
+namespace {
+
+namespace po = boost::program_options;
+using namespace objectness;
+using namespace objectness::evaluation;
+
+constexpr const char* kIntroduction =
+    "Learns how much a group of superpixels looks like one whole object, from scenes whose objects are known.\n\n"
+    "  learn_objectness --out MODEL.json [OPTION...] SCENES...\n\n"
+    "SCENES are scene folders with labels.png, or folders of such. Prints how well scenes are segmented by models that\n"
+    "were learned without them (cross-validation), by group.\n\n";
+
+int fail(const std::string& message, int status) {
+  std::cerr << "learn_objectness: " << message << std::endl;
+  return status;
+}
+
+void printScores(const std::vector<HeldOutScores>& held_out) {
+  std::map<std::string, std::pair<int, std::map<std::string, double>>> groups;
+  std::vector<std::string> columns;
+  for (const HeldOutScores& scene : held_out) {
+    for (const std::string& group : {scene.group, std::string("~ALL")}) {  // ~ sorts last
+      auto& [count, sums] = groups[group];
+      ++count;
+      Scores::fields(scene.scores, [&](const char* name, double value) { sums[name] += value; });
+    }
+  }
+  const Scores none;
+  Scores::fields(none, [&](const char* name, double) { columns.emplace_back(name); });
+  std::cout << std::left << std::setw(12) << "held out" << std::right << std::setw(7) << "scenes";
+  for (const std::string& column : columns) std::cout << std::setw(8) << column;
+  std::cout << std::fixed << std::setprecision(4) << "\n";
+  for (const auto& [group, entry] : groups) {
+    std::cout << std::left << std::setw(12) << (group == "~ALL" ? "ALL" : group) << std::right << std::setw(7)
+              << entry.first;
+    for (const std::string& column : columns) std::cout << std::setw(8) << entry.second.at(column) / entry.first;
+    std::cout << "\n";
+  }
+}
+
+int run(const po::variables_map& values) {
+  const auto inputs = values.count("input") ? values["input"].as<std::vector<std::string>>() : std::vector<std::string>();
+  if (inputs.empty()) return fail("no SCENES given (learn_objectness --help)", 2);
+  const Result<SceneList> list =
+      findScenes(inputs, values.count("groups") ? values["groups"].as<std::string>() : std::string());
+  if (!list.ok()) return fail(list.status.message, 1);
+  for (const std::string& error : list.value.errors) fail(error, 1);
+  if (!list.value.errors.empty()) return 1;
+
+  LearnSettings settings;
+  settings.folds = values["folds"].as<int>();
+  settings.threads = values["threads"].as<int>();
+  if (settings.folds < 2) return fail("--folds must be at least 2", 2);
+  const bool terminal = isatty(STDERR_FILENO);
+  settings.progress = [&](const std::string& stage, std::size_t done, std::size_t of) {
+    if (terminal) std::cerr << "\r\033[K" << stage << " " << done << "/" << of << (done == of ? "\n" : "") << std::flush;
+  };
+  Result<LearnedModel> learned = learn(list.value.scenes, settings);
+  if (!learned.ok()) return fail(learned.status.message, 1);
+  for (const std::string& note : learned.value.notes) std::cerr << "learn_objectness: left out: " << note << std::endl;
+  learned.value.model.trained_on = values["note"].as<std::string>();
+  std::cout << list.value.scenes.size() << " scenes; samples: " << learned.value.contacts << " contacts, "
+            << learned.value.gaps << " gaps, " << learned.value.groups << " groups\n";
+  printScores(learned.value.held_out);
+
+  const std::string path = values["out"].as<std::string>();
+  std::ofstream file(path);
+  file << toJson(learned.value.model) << "\n";
+  file.close();
+  return file ? 0 : fail(path + ": cannot be written", 1);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  po::options_description options("Options"), all;
+  auto add = options.add_options();
+  add("out", po::value<std::string>()->value_name("MODEL.json")->required(), "the model");
+  add("note", po::value<std::string>()->value_name("TEXT")->default_value(""),
+      "what it was learned from, in words; kept in the model");
+  add("groups", po::value<std::string>()->value_name("FILE.csv"), "groups of the scenes (columns scene, group)");
+  add("folds", po::value<int>()->value_name("N")->default_value(5), "of the cross-validation");
+  add("threads", po::value<int>()->value_name("N")->default_value(2), "worker threads, 0: one per processor");
+  add("help,h", "print this");
+  all.add(options).add_options()("input", po::value<std::vector<std::string>>());
+  po::positional_options_description positional;
+  positional.add("input", -1);
+  try {
+    po::variables_map values;
+    po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), values);
+    if (values.count("help")) {
+      std::cout << kIntroduction << options;
+      return 0;
+    }
+    po::notify(values);
+    return run(values);
+  } catch (const po::error& e) {
+    return fail(std::string(e.what()) + " (learn_objectness --help)", 2);
+  } catch (const std::exception& e) {
+    return fail(e.what(), 1);
+  }
+}

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "objectness_segmentation/sim/levels.hpp"
+
+#include <algorithm>
+
+namespace objectness::sim {
+
+const std::vector<Level>& levels() {
+  // clang-format off
+  static const std::vector<Level> all{
+      {"boxes", "boxes that stand apart", 2, 8, true, {1, 0, 0, 0, 0}, 0.03, 0.6},
+      {"shapes", "things of all kinds that stand apart", 2, 8, false, {1, 0, 0, 0, 0}, 0.03, 0.6},
+      {"occluded", "things of all kinds behind one another", 3, 8, false, {1, 2, 0, 0, 0}, 0.01, 0.15},
+      {"touching", "things side by side with gaps of up to 2 mm", 3, 8, false, {1, 0, 2, 0, 0}, 0.01, 0.15},
+      {"stacked", "things on top of boxes and cylinders", 3, 8, false, {1, 0, 0, 1.5, 0}, 0.01, 0.15},
+      {"leaning", "books and boards that lean at boxes and cylinders", 2, 8, false, {1, 0, 0, 0, 1}, 0.01, 0.15},
+      {"clutter", "all of this, close together", 10, 20, false, {1, 1, 1.5, 1, 0.5}, 0.003, 0}};
+  // clang-format on
+  return all;
+}
+
+const Level* findLevel(const std::string& name) {
+  const auto found = std::find_if(levels().begin(), levels().end(), [&](const Level& l) { return l.name == name; });
+  return found == levels().end() ? nullptr : &*found;
+}
+
+std::string levelNames() {
+  std::string names;
+  for (const Level& level : levels()) names += (names.empty() ? "" : ", ") + level.name;
+  return names;
+}
+
+}  // namespace objectness::sim

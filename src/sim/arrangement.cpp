@@ -69,9 +69,7 @@ class Arranger {
     return touches && fits(candidate, &other, 0) ? std::optional(candidate) : std::nullopt;
   }
 
-  Thing drawThing() {
-    return level_.boxes_only ? makeThing("box", random_) : makeThing(random_.pick(allKinds()), random_);
-  }
+  Thing drawThing() { return makeThing(random_.pick(level_.kinds), random_); }
 
   Vector2d drawPosition() {
     const double r = area_.radius_m * std::sqrt(random_.uniform(0, 1)), angle = random_.uniform(-kPi, kPi);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "objectness_segmentation/sim/profiles.hpp"
 
@@ -55,14 +56,6 @@ Thing drawBottle(Random& random) {
   return {"bottle", {bottle(radius, height, neck, shoulder_z, neck_z)}, true, {0, 0}};
 }
 
-using Maker = Thing (*)(Random&);
-const std::vector<std::pair<std::string, Maker>>& makers() {
-  static const std::vector<std::pair<std::string, Maker>> all{
-      {"box", drawBox},   {"cylinder", drawCylinder}, {"cone", drawCone},    {"sphere", drawSphere},
-      {"bowl", drawBowl}, {"mug", drawMug},           {"bottle", drawBottle}};
-  return all;
-}
-
 }  // namespace
 
 Eigen::AlignedBox3d Thing::box() const {
@@ -71,18 +64,11 @@ Eigen::AlignedBox3d Thing::box() const {
   return all;
 }
 
-const std::vector<std::string>& allKinds() {
-  static const std::vector<std::string> kinds = [] {
-    std::vector<std::string> names;
-    for (const auto& [name, make] : makers()) names.push_back(name);
-    return names;
-  }();
-  return kinds;
-}
-
 Thing makeThing(const std::string& kind, Random& random) {
-  const auto maker = std::find_if(makers().begin(), makers().end(), [&](const auto& m) { return m.first == kind; });
-  return maker->second(random);
+  static const std::map<std::string, Thing (*)(Random&)> makers{
+      {"box", drawBox},   {"cylinder", drawCylinder}, {"cone", drawCone},    {"sphere", drawSphere},
+      {"bowl", drawBowl}, {"mug", drawMug},           {"bottle", drawBottle}};
+  return makers.at(kind)(random);
 }
 
 Thing makeSlab(Random& random) {

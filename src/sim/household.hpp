@@ -23,10 +23,7 @@ struct Thing {
   double height() const { return box().max().z(); }
 };
 
-/// Every kind that makeThing() knows.
-const std::vector<std::string>& allKinds();
-
-/// A thing of random size.
+/// A thing of random size: a box, cylinder, cone, sphere, bowl, mug or bottle.
 Thing makeThing(const std::string& kind, Random& random);
 
 /// A board or book that can lean, thin in y and long in z.

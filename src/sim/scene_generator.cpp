@@ -55,20 +55,23 @@ Scene assemble(const std::string& level, const std::vector<Body>& room, const st
   return scene;
 }
 
-/// Whether every object shows the share of itself that its level asks for.
-bool isVisible(const Scene& scene, const PinholeCamera& camera, double min_visible) {
+/// Whether as much of the objects is covered as their level asks for.
+bool isCoveredAsAsked(const Scene& scene, const PinholeCamera& camera, const Level& level) {
+  if (scene.objects.empty()) return true;
   const double scale = static_cast<double>(kCoarse_px) / camera.width;
-  PinholeCamera coarse{camera.fx * scale,
-                       camera.fy * scale,
-                       (camera.cx + 0.5) * scale - 0.5,
-                       (camera.cy + 0.5) * scale - 0.5,
-                       kCoarse_px,
-                       static_cast<int>(camera.height * scale)};
+  const PinholeCamera coarse{camera.fx * scale,
+                             camera.fy * scale,
+                             (camera.cx + 0.5) * scale - 0.5,
+                             (camera.cy + 0.5) * scale - 0.5,
+                             kCoarse_px,
+                             static_cast<int>(camera.height * scale)};
   const SurfaceView view = viewSurfaces(scene.bodies, scene.T_world_camera, coarse, {}, 1);
-  return std::all_of(scene.objects.begin(), scene.objects.end(), [&](const SceneObject& object) {
+  double least = 1;
+  for (const SceneObject& object : scene.objects) {
     const auto seen = view.pixels_seen.find(object.label), alone = view.pixels_alone.find(object.label);
-    return seen != view.pixels_seen.end() && seen->second >= min_visible * alone->second;
-  });
+    least = std::min(least, seen == view.pixels_seen.end() ? 0.0 : double(seen->second) / alone->second);
+  }
+  return least >= level.min_visible && (least <= level.most_covered || scene.objects.size() == 1);
 }
 
 std::string describe(const SceneRequest& request, int count) {
@@ -103,7 +106,7 @@ Result<Scene> generateScene(const SceneRequest& request) {
     if (static_cast<int>(things.size()) < count) continue;
     const std::vector<Body> room = roomBodies(table, random);
     const Scene scene = assemble(level->name, room, things, area.viewpoint, random);
-    if (level->min_visible == 0 || isVisible(scene, request.camera, level->min_visible)) return {{}, scene};
+    if (isCoveredAsAsked(scene, request.camera, *level)) return {{}, scene};
   }
   return bad(describe(request, count));
 }

@@ -10,13 +10,14 @@ namespace objectness::sim {
 struct Level {
   std::string name, description;
   int min_objects, max_objects;
-  bool boxes_only;
+  std::vector<std::string> kinds;  ///< drawn from; some more than once
   /// How the objects are put down, as relative chances; the second object gets the largest but `apart`'s.
   struct Chances {
     double apart, behind, beside, on, leaning;
   } chances;
-  double min_gap_m;    ///< between what is not meant to touch
-  double min_visible;  ///< least share of every object that is not covered
+  double min_gap_m;     ///< between what is not meant to touch
+  double min_visible;   ///< least share of every object that is not covered
+  double most_covered;  ///< at least one object shows no more of itself than this
 };
 
 /// From easy to hard.

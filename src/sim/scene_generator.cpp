@@ -68,8 +68,8 @@ bool isCoveredAsAsked(const Scene& scene, const PinholeCamera& camera, const Lev
   const SurfaceView view = viewSurfaces(scene.bodies, scene.T_world_camera, coarse, {}, 1);
   double least = 1;
   for (const SceneObject& object : scene.objects) {
-    const auto seen = view.pixels_seen.find(object.label), alone = view.pixels_alone.find(object.label);
-    least = std::min(least, seen == view.pixels_seen.end() ? 0.0 : double(seen->second) / alone->second);
+    const int alone = view.pixels_alone.at(object.label);
+    least = std::min(least, alone > 0 ? static_cast<double>(view.pixels_seen.at(object.label)) / alone : 0);
   }
   return least >= level.min_visible && (least <= level.most_covered || scene.objects.size() == 1);
 }

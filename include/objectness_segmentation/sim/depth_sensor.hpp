@@ -41,7 +41,8 @@ struct DepthSensor {
 /// The noise depends on the seed alone. It is smooth, because neighbouring pixels are matched by windows that overlap:
 /// over 3 pixels along the ray; over 9 pixels (the window of the Kinect, as its users found) across it, so that edges
 /// are wavy rather than frayed; lost pixels come in patches. The deviation of each single pixel is the published one.
-SceneImages takePicture(const SurfaceView& view, const DepthSensor& sensor, std::uint32_t seed);
+/// threads: 0 one per processor; the result does not depend on it.
+SceneImages takePicture(const SurfaceView& view, const DepthSensor& sensor, std::uint32_t seed, int threads = 0);
 
 /// Sees and measures.
 SceneImages takePicture(const std::vector<Body>& bodies, const Eigen::Isometry3d& T_world_camera,

@@ -130,6 +130,20 @@ TEST(Shapes, KnownHits) {
   EXPECT_FALSE(along_slope) << "parallel to the slope, a centimetre beside it";
 }
 
+TEST(Shapes, HaveNoPinholesAtTheirPoles) {
+  Random random(4);
+  for (int i = 0; i < 1000; ++i) {
+    const double radius = random.uniform(0.01, 0.2), x = random.uniform(-0.1, 0.1);
+    const Ray up{{0, 0, -random.uniform(0.1, 1)}, {0, 0, random.uniform(0.1, 2)}};
+    const auto pole = intersect(sphere(radius), up);
+    ASSERT_TRUE(pole);
+    EXPECT_NEAR(up.at(pole->t).z(), 0, 1e-9);
+    const auto seam = intersect(bottle(0.1, 0.3, 0.1, 0.1, 0.2), {{x, -1, i % 2 ? 0.1 : 0.2}, {0, 1, 0}});
+    ASSERT_TRUE(seam);
+    EXPECT_NEAR(seam->t, 1 - std::sqrt(0.01 - x * x), 1e-6);
+  }
+}
+
 TEST(Shapes, TheBowlIsHollow) {
   const Revolution shape = bowl(0.1, 0.08, 0.01, 0.09);
   const auto floor = intersect(shape, {{0, 0, 1}, {0, 0, -1}});

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr int kScenes = 100;  // of each level
-constexpr int kRaysABody = 150;
+constexpr int kRaysABody = 100;
 constexpr double kDeep_m = 1e-5;     // under the surface: what touches is not that deep in its neighbour
 constexpr double kContact_m = 1e-3;  // what is farther from its support floats
 

@@ -97,7 +97,7 @@ SceneImages takePicture(const SurfaceView& view, const DepthSensor& sensor, std:
   if (!sensor.ideal) {
     parallelFor(4, threads, [&](int kind) { noise[kind] = smoothNoise(size, windows_px[kind], seed, kind); });
   }
-  const auto& [axial, right, down, loss] = noise;
+  const cv::Mat_<double>&axial = noise[0], &right = noise[1], &down = noise[2], &loss = noise[3];
   parallelFor(size.height, threads, [&](int v) {
     for (int u = 0; u < size.width; ++u) {
       const Vector3d ray = camera.ray(u, v);

@@ -10,7 +10,6 @@
 namespace objectness::sim {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kAttempts = 1000;  // at a whole scene, each with a little more room than the one before
 constexpr double kMoreRoom = 0.001;
 constexpr int kCoarse_px = 96;  // width of the picture that shows who hides whom

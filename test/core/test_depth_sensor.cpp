@@ -172,8 +172,8 @@ TEST(DepthSensor, SeedDecidesEverythingAndThreadsNothing) {
   const DepthSensor sensor;
   const Vector3d projector(sensor.baseline_m, 0, 0);
   const Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  const SceneImages one = takePicture(viewSurfaces(bodies, pose, sensor.camera, projector, 1), sensor, 4);
-  const SceneImages many = takePicture(viewSurfaces(bodies, pose, sensor.camera, projector, 5), sensor, 4);
+  const SceneImages one = takePicture(viewSurfaces(bodies, pose, sensor.camera, projector, 1), sensor, 4, 1);
+  const SceneImages many = takePicture(viewSurfaces(bodies, pose, sensor.camera, projector, 5), sensor, 4, 3);
   EXPECT_EQ(cv::countNonZero(one.depth_mm != many.depth_mm), 0);
   EXPECT_EQ(cv::countNonZero(one.true_labels != many.true_labels), 0);
   EXPECT_GT(cv::countNonZero(one.depth_mm != picture(bodies, sensor, 5).depth_mm), 10000);

@@ -25,6 +25,15 @@ std::vector<SelectedBox> chosenBoxes(const Hypotheses& candidates, const Selecti
   return chosen;
 }
 
+std::vector<RankedBox> rankedBoxes(const Hypotheses& candidates, const SearchOutcome& search,
+                                   const Eigen::Isometry3d& T_table_camera) {
+  std::vector<RankedBox> ranked;
+  for (const ScoredBox& scored : candidates.boxes) {
+    ranked.push_back({orientedBox(scored.box, search.grids[scored.box.angle], T_table_camera), scored.objectness});
+  }
+  return ranked;
+}
+
 /// The paper, stage by stage. Fills `result` as far as it gets.
 void run(const Frame& frame, const Config& config, const std::atomic<bool>* cancel, Segmentation& result) {
   const auto stage = [&](const char* name, auto&& work) {
@@ -70,6 +79,7 @@ void run(const Frame& frame, const Config& config, const std::atomic<bool>* canc
     return filterByObjectness(search.boxes, search.grids, points.points, config.filter, config.selection,
                               config.runtime.threads);
   });
+  result.proposals = rankedBoxes(candidates, search, table.T_table_camera);
   count("hypotheses", candidates.boxes.size());
 
   // Sec. 4.2: the globally consistent choice.

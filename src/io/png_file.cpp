@@ -79,15 +79,15 @@ Result<cv::Mat> readPng(const std::string& path, PngKind kind) {
     return Image::error(StatusCode::kBadInput, "claims to be " + std::to_string(header.width) + " x " +
                                                    std::to_string(header.height) + " pixels, which it cannot hold");
   }
-  if (kind == PngKind::kDepth && (header.bits != 16 || header.channels() != 1)) {
-    return Image::error(
-        StatusCode::kBadInput,
-        "is " + header.text() + ", must be 16-bit with 1 channel: depth in millimetres, 0 where there is none");
+  if (kind != PngKind::kColor && (header.bits != 16 || header.channels() != 1)) {
+    const char* meaning = kind == PngKind::kDepth ? "depth in millimetres, 0 where there is none" : "a label a pixel";
+    return Image::error(StatusCode::kBadInput,
+                        "is " + header.text() + ", must be 16-bit with 1 channel: " + meaning);
   }
   try {
     cv::Mat image =
         cv::imdecode(cv::Mat(1, static_cast<int>(file.value.size()), CV_8UC1, const_cast<char*>(file.value.data())),
-                     kind == PngKind::kDepth ? cv::IMREAD_UNCHANGED : cv::IMREAD_COLOR);
+                     kind == PngKind::kColor ? cv::IMREAD_COLOR : cv::IMREAD_UNCHANGED);
     if (!image.empty()) return {{}, image};
   } catch (const cv::Exception&) {
     // The reason is in OpenCV's terms, of no help to a user.

@@ -9,8 +9,9 @@
 namespace objectness {
 
 enum class PngKind {
-  kDepth,  ///< 16 bits, one channel: CV_16UC1
-  kColor   ///< any picture: CV_8UC3, BGR
+  kDepth,   ///< 16 bits, one channel: CV_16UC1
+  kLabels,  ///< the same, but of labels
+  kColor    ///< any picture: CV_8UC3, BGR
 };
 
 /// Reads a PNG file. It is checked from its signature to its last checksum before it is decoded, because libpng would

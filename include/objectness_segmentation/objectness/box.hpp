@@ -49,4 +49,9 @@ struct OrientedBox {
   Eigen::Vector3d size_m = Eigen::Vector3d::Zero();
 };
 
+struct RankedBox {
+  OrientedBox box;
+  double objectness = 0;
+};
+
 }  // namespace objectness

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "objectness_segmentation/config.hpp"
+#include "objectness_segmentation/peers/peers_config.hpp"
+#include "objectness_segmentation/result.hpp"
+#include "objectness_segmentation/scene/frame.hpp"
+
+namespace objectness {
+
+/// Segmenters of PCL that the package's own method is measured against.
+enum class Peer { kMps, kLccp, kCpc };
+
+/// "mps", "lccp", "cpc".
+const char* toString(Peer peer);
+
+/// Segments the points above the table by one of PCL's own segmenters. Normals, table and the points above it are found
+/// as segment() finds them, so that methods differ only in what comes after.
+///
+/// Segments come largest first; their box, objectness and cues are not set. The same frame and settings give the same
+/// result. Never throws for bad data: the reason is in Segmentation::status, kBadConfig for settings out of range
+/// among them. PCL's messages are kept off the console.
+Segmentation segmentWithPeer(Peer peer, const Frame& frame, const Config& config, const PeersConfig& settings = {});
+
+/// The settings of a peer in one line: "voxel_m 0.006, seed_m 0.025, ...".
+std::string settingsText(Peer peer, const PeersConfig& settings);
+
+}  // namespace objectness

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "objectness_segmentation/evaluation/figures.hpp"
+
+namespace objectness::evaluation {
+namespace {
+
+constexpr const char* kObjects = "boxed_objects";
+
+}  // namespace
+
+Figures toFigures(const ProposalFigures& proposals) {
+  Figures figures{{kObjects, proposals.objects},
+                  {"proposals", proposals.proposals},
+                  {"best_P", proposals.best_box_precision},
+                  {"best_R", proposals.best_box_recall}};
+  const auto add = [&](const std::string& name, const auto& recalls) {
+    for (std::size_t k = 0; k < kKeptBoxes.size(); ++k) {
+      figures.emplace_back(name + "_" + std::to_string(kKeptBoxes[k]), recalls[k]);
+    }
+  };
+  add("box50", proposals.objectness.at_50);
+  add("box70", proposals.objectness.at_70);
+  add("fixed50", proposals.fixed.at_50);
+  add("fixed70", proposals.fixed.at_70);
+  return figures;
+}
+
+Figures poolProposals(const std::vector<Figures>& scenes) {
+  Figures pooled;
+  double count = 0;
+  for (const Figures& scene : scenes) {
+    if (scene.empty()) continue;
+    ++count;
+    if (pooled.empty()) {
+      pooled = scene;
+    } else {
+      for (std::size_t i = 0; i < pooled.size(); ++i) pooled[i].second += scene[i].second;
+    }
+  }
+  for (auto& [name, value] : pooled) {
+    if (name != kObjects) value /= count;
+  }
+  return pooled;
+}
+
+}  // namespace objectness::evaluation

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "objectness_segmentation/evaluation/scene_job.hpp"
+
+#include <sys/resource.h>
+
+#include <boost/crc.hpp>
+#include <filesystem>
+#include <new>
+#include <set>
+
+#include "io/file_access.hpp"
+#include "io/png_file.hpp"
+#include "objectness_segmentation/evaluation/true_boxes.hpp"
+#include "objectness_segmentation/io/overlay.hpp"
+#include "objectness_segmentation/io/scene_folder.hpp"
+#include "objectness_segmentation/selection/box_filter.hpp"
+
+namespace objectness::evaluation {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::uintmax_t kMaxFileBytes = 1u << 30;
+
+std::string checksum(const std::string& bytes) {
+  boost::crc_32_type crc;
+  crc.process_bytes(bytes.data(), bytes.size());
+  return std::to_string(crc.checksum());
+}
+
+/// The most memory this process held so far.
+double peakMemoryMib() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+/// The true objects, drawn as a result is.
+cv::Mat_<cv::Vec3b> drawTruth(const Frame& frame, const cv::Mat_<ushort>& truth) {
+  Segmentation drawn;
+  for (int i = 0; i < frame.size(); ++i) {
+    const int label = truth(i / truth.cols, i % truth.cols);
+    if (label < kFirstObjectLabel) continue;
+    const auto rank = static_cast<std::size_t>(label - kFirstObjectLabel);
+    if (rank >= drawn.segments.size()) drawn.segments.resize(rank + 1);
+    drawn.segments[rank].pixels.push_back(i);
+  }
+  return drawOverlay(frame, drawn);
+}
+
+std::string sizeText(const cv::Size& size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
+
+int countObjects(const cv::Mat_<ushort>& annotation) {
+  std::set<ushort> objects;
+  for (const ushort label : truthAtLevel(annotation, Level::kObject)) {
+    if (label >= kFirstObjectLabel) objects.insert(label);
+  }
+  return static_cast<int>(objects.size());
+}
+
+Segmentation runGuarded(const Method& method, const Frame& frame) {
+  Segmentation result;
+  try {
+    result = method.run(frame);
+    if (result.status.ok() && result.labels.size() != cv::Size(frame.width(), frame.height())) {
+      result.status = Status::error(StatusCode::kInternalError, "returned labels of another size than the frame's");
+    }
+  } catch (const std::bad_alloc&) {
+    result.status = Status::error(StatusCode::kInternalError, "needs more memory than there is");
+  } catch (const std::exception& e) {
+    result.status = Status::error(StatusCode::kInternalError, e.what());
+  }
+  return result;
+}
+
+/// One evaluation from files to files.
+class Job {
+ public:
+  Job(const std::string& report, const Scene& scene, const Method& method, const std::string& made_from)
+      : report_(report), scene_(scene), method_(method) {
+    result_.scene = scene.name;
+    result_.method = method.name;
+    result_.made_from = made_from;
+  }
+
+  Status run() {
+    if (!loadTruth()) return saveResult(report_, result_);
+    const Result<Frame> frame = loadSceneFolder(scene_.folder, {}, InputConfig{});
+    if (!frame.ok()) return fail(frame.status.message);
+    if (annotation_.size() != cv::Size(frame.value.width(), frame.value.height())) {
+      return refuse("labels.png is " + sizeText(annotation_.size()) + ", depth.png is " +
+                    sizeText({frame.value.width(), frame.value.height()}) + ": they must be of equal size");
+    }
+    const Segmentation found = runGuarded(method_, frame.value);
+    result_.peak_mib = peakMemoryMib();
+    result_.timings_ms = found.report.timings_ms;
+    if (!found.status.ok()) return fail(found.status.message);
+    result_.segments = static_cast<int>(found.segments.size());
+    score(found.labels);
+    if (method_.proposes_boxes) {
+      const auto boxes = findTrueBoxes(scene_.folder, frame.value, found.table, annotation_);
+      if (!boxes.ok()) return refuse(boxes.status.message);
+      result_.proposals =
+          toFigures(measureProposals(frame.value, found, annotation_, boxes.value, FilterConfig{}.box_margin_m));
+    }
+    const Status pictures = savePictures(frame.value, found);
+    return pictures.ok() ? saveResult(report_, result_) : pictures;
+  }
+
+  Status runNothing(const std::string& failure) { return loadTruth() ? fail(failure) : saveResult(report_, result_); }
+
+ private:
+  bool loadTruth() {
+    std::error_code ignored;
+    fs::remove_all(resultPath(report_, method_.name, scene_.name), ignored);  // the pictures of an earlier result
+    const Result<cv::Mat> read = readPng((fs::path(scene_.folder) / "labels.png").string(), PngKind::kLabels);
+    if (read.ok()) {
+      annotation_ = read.value;
+    } else {
+      result_.state = SceneResult::State::kUnusable;
+      result_.problem = "labels.png: " + read.status.message;
+    }
+    return read.ok();
+  }
+
+  Status refuse(const std::string& problem) {
+    result_.state = SceneResult::State::kUnusable;
+    result_.problem = problem;
+    return saveResult(report_, result_);
+  }
+
+  Status fail(const std::string& problem) {
+    result_.state = SceneResult::State::kFailed;
+    result_.problem = problem;
+    score(cv::Mat_<ushort>(annotation_.size(), ushort{0}));
+    if (method_.proposes_boxes) {
+      ProposalFigures none;
+      none.objects = countObjects(annotation_);
+      result_.proposals = toFigures(none);
+    }
+    return saveResult(report_, result_);
+  }
+
+  void score(const cv::Mat_<ushort>& labels) {
+    result_.object = scoreLabels(labels, truthAtLevel(annotation_, Level::kObject));
+    result_.part = scoreLabels(labels, truthAtLevel(annotation_, Level::kPart));
+  }
+
+  Status savePictures(const Frame& frame, const Segmentation& found) const {
+    const fs::path folder = resultPath(report_, method_.name, scene_.name), truth = fs::path(report_) / "truth";
+    Status status = makeFolder(folder.string());
+    if (status.ok()) status = makeFolder(truth.string());
+    if (status.ok()) status = writePng((folder / "labels.png").string(), found.labels);
+    if (status.ok()) status = writePng((folder / "overlay.png").string(), drawOverlay(frame, found));
+    if (!status.ok()) return status;
+    // Every method draws it; the same picture, and writing is atomic only within one process: a name for each.
+    const fs::path own = truth / (scene_.name + "." + method_.name + ".png"), shared = truth / (scene_.name + ".png");
+    status = writePng(own.string(), drawTruth(frame, truthAtLevel(annotation_, Level::kObject)));
+    if (!status.ok()) return status;
+    std::error_code error;
+    fs::rename(own, shared, error);
+    return error ? Status::error(StatusCode::kBadInput, "cannot write " + shared.string() + ": " + error.message())
+                 : Status{};
+  }
+
+  const std::string& report_;
+  const Scene& scene_;
+  const Method& method_;
+  cv::Mat_<ushort> annotation_;
+  SceneResult result_;
+};
+
+}  // namespace
+
+std::string madeFrom(const std::string& commit, const Method& method, const Scene& scene) {
+  std::string files;
+  for (const char* name : {"depth.png", "color.png", "camera.yaml", "labels.png", "objects.yaml"}) {
+    const Result<std::string> bytes = readFile((fs::path(scene.folder) / name).string(), kMaxFileBytes);
+    files += name + checksum(bytes.value);  // a missing file is the job's business
+  }
+  return "commit " + commit + ", settings " + checksum(method.settings) + ", input " + checksum(files);
+}
+
+Status evaluateScene(const std::string& report, const Scene& scene, const Method& method,
+                     const std::string& made_from) {
+  return Job(report, scene, method, made_from).run();
+}
+
+Status recordFailure(const std::string& report, const Scene& scene, const Method& method, const std::string& made_from,
+                     const std::string& failure) {
+  return Job(report, scene, method, made_from).runNothing(failure);
+}
+
+}  // namespace objectness::evaluation

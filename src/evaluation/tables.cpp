@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "objectness_segmentation/evaluation/tables.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "io/file_access.hpp"
+
+namespace objectness::evaluation {
+namespace fs = std::filesystem;
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kAllGroups = "ALL";
+constexpr const char* kNoGroup = "all";
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+std::string fixed(double value, int digits) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return text;
+}
+
+/// Names of scenes and groups may hold anything.
+std::string csvCell(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::map<std::string, std::string> groupsOf(const Run& run) {
+  std::map<std::string, std::string> groups;
+  for (const auto& scene : run.scenes) groups[scene.name] = scene.group;
+  return groups;
+}
+
+/// Collects the scenes of one row.
+struct Sums {
+  Scores scores = zero();
+  int scenes = 0;
+  std::vector<double> ms;
+  double peak_mib = 0;
+  std::vector<Figures> proposals;
+
+  static Scores zero() {
+    Scores scores;
+    Scores::fields(scores, [](const char*, double& value) { value = 0; });
+    return scores;
+  }
+  void add(const SceneResult& result, Level level) {
+    const Scores& more = *result.scores(level);
+    std::vector<double> values;
+    Scores::fields(more, [&](const char*, double value) { values.push_back(value); });
+    auto next = values.begin();
+    Scores::fields(scores, [&](const char*, double& value) { value += *next++; });
+    ++scenes;
+    if (const auto total = result.totalMs()) ms.push_back(*total);
+    peak_mib = std::max(peak_mib, result.peak_mib);
+    if (level == Level::kObject) proposals.push_back(result.proposals);
+  }
+  Figures columns() const {
+    Figures columns{{"scenes", scenes}};
+    Scores::fields(scores, [&](const char* name, double sum) { columns.emplace_back(name, sum / scenes); });
+    columns.emplace_back("ms", ms.empty() ? 0 : median(ms));
+    columns.emplace_back("peak_mib", peak_mib);
+    return columns;
+  }
+  SummaryRow row(const std::string& method, Level level, const std::string& group) const {
+    return {method, toString(level), group, columns(), poolProposals(proposals)};
+  }
+};
+
+std::string toCsv(const Run& run, const std::vector<SceneResult>& results) {
+  const auto groups = groupsOf(run);
+  std::ostringstream csv;
+  const Scores none;
+  csv << "method,level,scene,group,state";
+  Scores::fields(none, [&](const char* name, double) { csv << ',' << name; });
+  csv << ",segments,ms,peak_mib";
+  const Figures proposals = toFigures(ProposalFigures{});
+  for (const auto& column : proposals) csv << ',' << column.first;
+  csv << '\n';
+  for (const auto& method : run.methods) {
+    for (const Level level : run.levels) {
+      for (const SceneResult& result : results) {
+        if (result.method != method.name || !result.scores(level)) continue;
+        csv << method.name << ',' << toString(level) << ',' << csvCell(result.scene) << ','
+            << csvCell(groups.at(result.scene)) << ',' << (result.problem.empty() ? "done" : "failed");
+        Scores::fields(*result.scores(level), [&](const char*, double value) { csv << ',' << fixed(value, 5); });
+        csv << ',' << result.segments << ',' << fixed(result.totalMs().value_or(0), 1) << ','
+            << fixed(result.peak_mib, 1);
+        const bool has_proposals = level == Level::kObject && !result.proposals.empty();
+        for (const auto& column : has_proposals ? result.proposals : proposals) {
+          csv << ',' << (has_proposals ? fixed(column.second, 5) : "");
+        }
+        csv << '\n';
+      }
+    }
+  }
+  return csv.str();
+}
+
+}  // namespace
+
+std::vector<SummaryRow> summarize(const Run& run, const std::vector<SceneResult>& results) {
+  const auto groups = groupsOf(run);
+  std::vector<SummaryRow> rows;
+  for (const auto& method : run.methods) {
+    for (const Level level : run.levels) {
+      std::map<std::string, Sums> of_group;
+      Sums of_all;
+      for (const SceneResult& result : results) {
+        if (result.method != method.name || !result.scores(level)) continue;
+        const std::string& group = groups.at(result.scene);
+        if (group != kNoGroup) of_group[group].add(result, level);
+        of_all.add(result, level);
+      }
+      for (const auto& [group, sums] : of_group) rows.push_back(sums.row(method.name, level, group));
+      if (of_all.scenes > 0) rows.push_back(of_all.row(method.name, level, kAllGroups));
+    }
+  }
+  return rows;
+}
+
+std::string toText(const std::vector<SummaryRow>& rows) {
+  if (rows.empty()) return "";
+  std::ostringstream text;
+  const auto pad = [&](const std::string& cell, std::size_t width, bool left) {
+    const std::string space(cell.size() < width ? width - cell.size() : 0, ' ');
+    text << (left ? cell + space : space + cell) << ' ';
+  };
+  constexpr std::size_t kName = 10, kNumber = 6;
+  for (const char* name : {"method", "level", "group"}) pad(name, kName, true);
+  for (const auto& column : rows.front().columns) pad(column.first, kNumber, false);
+  text << '\n';
+  for (const SummaryRow& row : rows) {
+    for (const std::string& name : {row.method, row.level, row.group}) pad(name, kName, true);
+    for (const auto& [name, value] : row.columns) {
+      pad(fixed(value, name == "scenes" || name == "ms" || name == "peak_mib" ? 0 : 3), std::max(kNumber, name.size()),
+          false);
+    }
+    text << '\n';
+  }
+  return text.str();
+}
+
+Status writeTables(const std::string& report, const Run& run, const std::vector<SceneResult>& results) {
+  Json summary = Json::object();
+  for (const SummaryRow& row : summarize(run, results)) {
+    Json& columns = summary[row.method][row.level][row.group];
+    for (const auto& [name, value] : row.columns) columns[name] = name == "scenes" ? Json(int(value)) : Json(value);
+    for (const auto& [name, value] : row.proposals) columns[name] = value;
+  }
+  const auto file = [&](const char* name) { return (fs::path(report) / name).string(); };
+  const Status status = writeFile(file("scenes.csv"), toCsv(run, results));
+  if (!status.ok()) return status;
+  return writeFile(file("summary.json"), summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace objectness::evaluation

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "objectness_segmentation/peers/peers_config.hpp"
+#include "objectness_segmentation/scene/object_points.hpp"
+
+namespace objectness {
+
+/// Which component of the points above the table each pixel is of, 1 and above, 0 = none: width * height labels.
+std::vector<int> labelMps(const Frame& frame, const Normals& normals, const cv::Mat_<uchar>& object_mask,
+                          const MpsConfig& config);
+
+}  // namespace objectness

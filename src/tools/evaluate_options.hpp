@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "objectness_segmentation/common/status.hpp"
+#include "objectness_segmentation/evaluation/scores.hpp"
+
+namespace objectness::evaluation {
+
+/// What the command line of `evaluate` asks for.
+struct EvaluateOptions {
+  bool merge = false;                ///< inputs are report folders of shards, not scenes
+  std::vector<std::string> methods;  ///< names that makeMethods() knows
+  std::vector<Level> levels;
+  int jobs = 1, threads = 2;
+  int shard = 1, shards = 1;
+  std::string groups_file, report;
+  std::vector<std::string> inputs;
+  std::string print;  ///< text to print instead of evaluating anything (--help)
+};
+
+/// An error is one that a look at `evaluate --help` helps with.
+Result<EvaluateOptions> parseEvaluateOptions(int argc, const char* const* argv);
+
+}  // namespace objectness::evaluation

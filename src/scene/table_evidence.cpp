@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kCellM = 0.02;
 constexpr float kCeilingM = 0.45f;  // what reaches higher is rather a wall, a shelf or a robot
+constexpr float kUnderM = 0.35f;    // what lies deeper under a table is the floor
 constexpr float kFootM = 0.04f;     // a thing on the plane is seen down to here
 constexpr int kMinFootSamples = 3;
 constexpr int kMinGroup = 6;
@@ -73,7 +74,7 @@ TableEvidence judgeTable(const SurfaceSamples& view, const Plane& plane, double 
     } else if (!inside) {
       continue;
     } else if (height < -sample.tolerance()) {
-      below += inner(cell) != 0;
+      below += inner(cell) != 0 && height > -kUnderM;
     } else {
       depths.push_back(sample.point.z());
     }
@@ -109,7 +110,8 @@ TableEvidence judgeTable(const SurfaceSamples& view, const Plane& plane, double 
     if (group.count < kMinGroup || group.foot < kMinFootSamples) continue;
     const bool unlikely = group.outside > kMaxOutside * group.count || 2 * group.too_high > group.count ||
                           (group.high - group.low).maxCoeff() > wide;
-    carried += group.count * (unlikely ? kUnlikely : 1.0);
+    // A table stands on the floor: what is over the ceiling is not carried, whatever it belongs to.
+    carried += (group.count - group.too_high) * (unlikely ? kUnlikely : 1.0);
   }
   evidence.carried = static_cast<int>(carried * scale);
   return evidence;

@@ -12,7 +12,8 @@
 namespace objectness_segmentation {
 namespace {
 
-constexpr int kLabelsPerObject = 10;
+using objectness::sim::SimulatedFrame;
+using objectness::sim::TrueObject;
 
 tf2_msgs::TFMessage toTf(const Eigen::Isometry3d& T_parent_child, const ros::Time& stamp, const char* parent,
                          const char* child) {
@@ -24,59 +25,79 @@ tf2_msgs::TFMessage toTf(const Eigen::Isometry3d& T_parent_child, const ros::Tim
   return message;
 }
 
-std::vector<int> pixelsOf(const cv::Mat_<ushort>& labels, ushort first_label) {
+std::vector<int> pixelsOf(const cv::Mat_<ushort>& labels, int label) {
   std::vector<int> pixels;
   for (int i = 0; i < static_cast<int>(labels.total()); ++i) {
-    const int label = labels(i / labels.cols, i % labels.cols);
-    if (label >= first_label && label < first_label + kLabelsPerObject) pixels.push_back(i);
+    if (labels(i / labels.cols, i % labels.cols) == label) pixels.push_back(i);
   }
   return pixels;
 }
 
-SegmentedObjectArray toTruth(const SceneView& view, const objectness::Frame& frame, const std_msgs::Header& header) {
+SegmentedObject toObject(const TrueObject& truth, const std::vector<int>& pixels, const objectness::Frame& frame,
+                         const std_msgs::Header& header) {
+  SegmentedObject object;
+  object.header = object.indices.header = header;
+  object.label = static_cast<std::uint32_t>(truth.label);
+  object.pose = toPose(truth.box.T_camera_box);
+  object.dimensions.x = truth.box.size_m.x();
+  object.dimensions.y = truth.box.size_m.y();
+  object.dimensions.z = truth.box.size_m.z();
+  object.indices.indices.assign(pixels.begin(), pixels.end());
+  object.cloud = extractCloud(frame, pixels, header);
+  return object;
+}
+
+SegmentedObjectArray toTruth(const SimulatedFrame& view, const objectness::Frame& frame,
+                             const std_msgs::Header& header) {
   SegmentedObjectArray truth;
   truth.header = truth.table.header = header;
+  const Eigen::Vector3f normal = view.table_normal.cast<float>();
+  truth.table.values = {normal.x(), normal.y(), normal.z(), static_cast<float>(view.table_distance_m)};
   for (const TrueObject& object : view.objects) {
-    SegmentedObject message;
-    message.header = message.indices.header = header;
-    message.label = object.label;
-    message.pose = toPose(view.T_world_camera.inverse() * object.T_world_box);
-    message.dimensions.x = object.size_m.x();
-    message.dimensions.y = object.size_m.y();
-    message.dimensions.z = object.size_m.z();
-    const std::vector<int> pixels = pixelsOf(view.images.true_labels, object.label);
-    message.indices.indices.assign(pixels.begin(), pixels.end());
-    message.cloud = extractCloud(frame, pixels, header);
-    truth.objects.push_back(std::move(message));
+    if (object.hidden) continue;
+    truth.objects.push_back(toObject(object, pixelsOf(view.images.true_labels, object.label), frame, header));
   }
   return truth;
 }
 
 }  // namespace
 
-objectness::Status SceneBagWriter::write(const SceneView& view) {
-  const auto& images = view.images;
+objectness::Status SceneBagWriter::write(const SimulatedFrame& view, const ros::Time& stamp) {
+  const objectness::SceneImages& images = view.images;
   const auto frame = objectness::makeFrame(images.depth_mm, images.color, images.camera, {});
   if (!frame.ok()) return frame.status;
   std_msgs::Header header;
-  header.stamp = view.stamp;
+  header.stamp = stamp;
   header.frame_id = frames::kCameraOptical;
 
   if (!has_static_transform_) {
-    bag_.writeLatched(bag_topics::kStaticTransforms, view.stamp,
-                      toTf(opticalToBody(), view.stamp, frames::kCameraBody, frames::kCameraOptical));
+    bag_.writeLatched(bag_topics::kStaticTransforms, stamp,
+                      toTf(opticalToBody(), stamp, frames::kCameraBody, frames::kCameraOptical));
     has_static_transform_ = true;
   }
   const Eigen::Isometry3d T_world_body = view.T_world_camera * opticalToBody().inverse();
-  bag_.write(bag_topics::kTransforms, view.stamp, toTf(T_world_body, view.stamp, frames::kWorld, frames::kCameraBody));
-  bag_.write(bag_topics::kCameraInfo, view.stamp, toCameraInfo(images.camera, header));
-  if (!images.color.empty()) bag_.write(bag_topics::kColor, view.stamp, toImageMessage(images.color, header));
-  bag_.write(bag_topics::kPoints, view.stamp, toCloudMessage(frame.value, header));
-  if (!images.true_labels.empty()) {
-    bag_.write(bag_topics::kTrueLabels, view.stamp, toImageMessage(images.true_labels, header));
-    bag_.write(bag_topics::kTrueObjects, view.stamp, toTruth(view, frame.value, header));
-  }
+  bag_.write(bag_topics::kTransforms, stamp, toTf(T_world_body, stamp, frames::kWorld, frames::kCameraBody));
+  bag_.write(bag_topics::kCameraInfo, stamp, toCameraInfo(images.camera, header));
+  bag_.write(bag_topics::kColor, stamp, toImageMessage(images.color, header));
+  bag_.write(bag_topics::kPoints, stamp, toCloudMessage(frame.value, header));
+  bag_.write(bag_topics::kTrueLabels, stamp, toImageMessage(images.true_labels, header));
+  bag_.write(bag_topics::kTrueObjects, stamp, toTruth(view, frame.value, header));
   return bag_.status();
+}
+
+objectness::Status writeSceneBag(const std::string& path, const objectness::sim::Scene& scene,
+                                 const SceneBagSettings& settings, const std::function<void(int frame)>& on_frame) {
+  SceneBagWriter writer(path);
+  objectness::Status status;
+  for (int i = 0; i < settings.frames && status.ok(); ++i) {
+    const ros::Time stamp = ros::Time(kFirstStamp_s, 0) + ros::Duration(i / settings.rate_hz);
+    const auto frame = objectness::sim::simulateFrame(scene, objectness::sim::orbitPose(scene, i, settings.frames),
+                                                      settings.sensor, settings.seed + static_cast<std::uint32_t>(i));
+    status = writer.write(frame, stamp);
+    if (status.ok() && on_frame) on_frame(i);
+  }
+  const objectness::Status closed = writer.close();
+  return status.ok() ? closed : status;
 }
 
 }  // namespace objectness_segmentation

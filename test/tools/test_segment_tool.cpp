@@ -31,7 +31,7 @@ class SegmentTool : public testing::Test {
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readBytes(folder_ / "stdout"), readBytes(folder_ / "stderr")};
   }
   std::string makeScene(const std::string& name) const {
-    EXPECT_EQ(run("--out " + (folder_ / name), "make_demo_scene").exit_status, 0);
+    EXPECT_EQ(run("--demo --out " + (folder_ / name), "make_scene").exit_status, 0);
     return folder_ / name;
   }
   void expectUsageError(const std::string& arguments, const std::string& text) const {

@@ -1,44 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Geometry>
+#include <cstdint>
+#include <functional>
 #include <string>
-#include <vector>
 
-#include "objectness_segmentation/io/scene_folder.hpp"
 #include "objectness_segmentation/ros/bag_output.hpp"
+#include "objectness_segmentation/sim/simulated_frame.hpp"
 
 namespace objectness_segmentation {
 
-/// An object as it is: the box around it, and its pixels by their label.
-struct TrueObject {
-  ushort label = 0;               ///< in SceneImages::true_labels, of its first part; the nine above it are its, too
-  Eigen::Isometry3d T_world_box;  ///< centre of the box, z up
-  Eigen::Vector3d size_m;
-};
-
-/// What a camera with known surroundings takes at one time.
-struct SceneView {
-  ros::Time stamp;
-  objectness::SceneImages images;
-  Eigen::Isometry3d T_world_camera;  ///< optical frame
-  std::vector<TrueObject> objects;
-};
-
-/// Writes views as the bag that a driver's topics would give, with the truth beside them; topics and frames are in
-/// topics.hpp. /tf holds the camera's way, /tf_static its optical frame. /truth/labels are the label images,
-/// /truth/objects the boxes and pixels in the camera's optical frame, label being that of the image.
+/// Writes simulated frames as the bag that a camera driver's topics would give, with the truth beside them. Topics and
+/// coordinate frames are those in topics.hpp: /tf holds the camera's way, /tf_static its optical frame. /truth/labels
+/// are the label images, /truth/objects the table and the true boxes and pixels of the objects that are not hidden, in
+/// the optical frame, their label that of the image. Everything of a frame has the same stamp.
 class SceneBagWriter {
  public:
+  /// Replaces a file of that name.
   explicit SceneBagWriter(const std::string& path) : bag_(path) {}
 
-  /// Stamps must not be 0. An error stays.
-  objectness::Status write(const SceneView& view);
+  /// An error stays. kBadInput: the file cannot be written, or the stamp is 0.
+  objectness::Status write(const objectness::sim::SimulatedFrame& frame, const ros::Time& stamp);
   objectness::Status close() { return bag_.close(); }
 
  private:
   BagOutput bag_;
   bool has_static_transform_ = false;
 };
+
+/// A recording of a camera that swings about the scene (sim::orbitPose()): frame i at kFirstStamp_s + i / rate_hz with
+/// the noise of seed + i. The same arguments give the same bytes. on_frame is called after each.
+constexpr std::uint32_t kFirstStamp_s = 1000;
+struct SceneBagSettings {
+  objectness::sim::DepthSensor sensor;
+  std::uint32_t seed = 1;
+  int frames = 1;
+  double rate_hz = 10;
+};
+objectness::Status writeSceneBag(const std::string& path, const objectness::sim::Scene& scene,
+                                 const SceneBagSettings& settings,
+                                 const std::function<void(int frame)>& on_frame = nullptr);
 
 }  // namespace objectness_segmentation

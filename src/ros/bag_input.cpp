@@ -66,15 +66,20 @@ void BagInput::load(const std::string& path, const InputTopics& wanted, Status& 
   if (!status.ok()) return;
   topics_ = topics.value;
   cloud_count_ = rosbag::View(bag_, rosbag::TopicQuery(topics_.points)).size();
-  rosbag::View cameras(bag_, rosbag::TopicQuery(topics_.camera_info));
-  for (const rosbag::MessageInstance& entry : cameras) {
-    const auto camera = read<sensor_msgs::CameraInfo>(entry);
-    cameras_.emplace(camera->header.stamp, camera);
+  try {
+    rosbag::View cameras(bag_, rosbag::TopicQuery(topics_.camera_info));
+    for (const rosbag::MessageInstance& entry : cameras) {
+      const auto camera = read<sensor_msgs::CameraInfo>(entry);
+      cameras_.emplace(camera->header.stamp, camera);
+    }
+  } catch (const std::exception& e) {
+    camera_damage_ = e.what();  // the clouds before it can be used
   }
 }
 
 sensor_msgs::CameraInfoConstPtr BagInput::findCamera(const ros::Time& stamp, bool approximate) const {
   const auto later = cameras_.lower_bound(stamp);
+  if (later == cameras_.end() && !camera_damage_.empty()) throw rosbag::BagFormatException(camera_damage_);
   if (later != cameras_.end() && later->first == stamp) return later->second;
   if (!approximate || cameras_.empty()) return nullptr;
   if (later == cameras_.begin()) return later->second;

@@ -3,6 +3,7 @@
 #include <boost/program_options.hpp>
 #include <iostream>
 
+#include "objectness_segmentation/ros/scene_bag_writer.hpp"
 #include "objectness_segmentation/sim/demo_scene.hpp"
 #include "objectness_segmentation/sim/simulated_frame.hpp"
 
@@ -12,7 +13,11 @@ int main(int argc, char** argv) {
       "make_scene --demo --out DIR [--seed N]\n\nWrites a simulated table with boxes, cylinders and a bowl: "
       "depth.png, color.png, camera.yaml, labels.png (truth)");
   auto add = options.add_options();
-  add("out", po::value<std::string>()->value_name("DIR")->required(), "the scene folder, made when missing");
+  add("out", po::value<std::string>()->value_name("DIR"), "the scene folder, made when missing");
+  add("bag", po::value<std::string>()->value_name("FILE.bag"),
+      "a recording of a camera that moves about the scene, with the truth in it; replaced when it exists");
+  add("frames", po::value<int>()->value_name("N")->default_value(1), "of the bag");
+  add("rate", po::value<double>()->value_name("HZ")->default_value(10), "frames of the bag a second");
   add("demo", po::bool_switch(), "the built-in scene");
   add("seed", po::value<std::uint32_t>()->value_name("N")->default_value(1),
       "moves the objects a little, makes the noise");
@@ -27,6 +32,19 @@ int main(int argc, char** argv) {
     po::notify(values);
     const auto seed = values["seed"].as<std::uint32_t>();
     const objectness::sim::Scene scene = objectness::sim::makeDemoScene(seed);
+    if (values.count("bag")) {
+      const auto path = values["bag"].as<std::string>();
+      objectness_segmentation::SceneBagSettings settings;
+      settings.seed = seed;
+      settings.frames = values["frames"].as<int>();
+      settings.rate_hz = values["rate"].as<double>();
+      const objectness::Status status = objectness_segmentation::writeSceneBag(path, scene, settings);
+      if (!status.ok()) {
+        std::cerr << "make_scene: --bag " << path << ": " << status.message << std::endl;
+        return 1;
+      }
+    }
+    if (!values.count("out")) return 0;
     const auto frame =
         objectness::sim::simulateFrame(scene, scene.T_world_camera, objectness::sim::DepthSensor(), seed);
     const objectness::Status status = objectness::sim::saveSimulatedFrame(values["out"].as<std::string>(), frame);

@@ -34,6 +34,7 @@ class BagInput {
   InputTopics topics_;
   std::size_t cloud_count_ = 0;
   std::map<ros::Time, sensor_msgs::CameraInfoConstPtr> cameras_;  ///< by stamp
+  std::string camera_damage_;                                     ///< why there are no more of them
 };
 
 }  // namespace objectness_segmentation

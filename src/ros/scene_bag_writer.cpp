@@ -86,15 +86,13 @@ objectness::Status SceneBagWriter::write(const SimulatedFrame& view, const ros::
 }
 
 objectness::Status writeSceneBag(const std::string& path, const objectness::sim::Scene& scene,
-                                 const SceneBagSettings& settings, const std::function<void(int frame)>& on_frame) {
+                                 const SceneBagSettings& settings) {
   SceneBagWriter writer(path);
   objectness::Status status;
   for (int i = 0; i < settings.frames && status.ok(); ++i) {
     const ros::Time stamp = ros::Time(kFirstStamp_s, 0) + ros::Duration(i / settings.rate_hz);
-    const auto frame = objectness::sim::simulateFrame(scene, objectness::sim::orbitPose(scene, i, settings.frames),
-                                                      settings.sensor, settings.seed + static_cast<std::uint32_t>(i));
-    status = writer.write(frame, stamp);
-    if (status.ok() && on_frame) on_frame(i);
+    const Eigen::Isometry3d T_world_camera = objectness::sim::orbitPose(scene, i, settings.frames);
+    status = writer.write(simulateFrame(scene, T_world_camera, settings.sensor, settings.noise_seed(i)), stamp);
   }
   const objectness::Status closed = writer.close();
   return status.ok() ? closed : status;

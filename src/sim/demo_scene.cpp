@@ -27,6 +27,7 @@ Scene makeDemoScene(std::uint32_t seed) {
   scene.level = "demo";
   scene.bodies = {
       place(Box{{6, 6, 0.01}}, 0, 1, -kTableHeight_m - 0.01, 0, {96, 90, 84}, 0),  // the floor
+      place(cylinder(0.05, kTableHeight_m - kTableThickness_m), 0, 0.05, -kTableHeight_m, 0, {120, 160, 190}, 0),
       place(Box{{1.2, 0.8, kTableThickness_m}}, 0, 0.05, -kTableThickness_m, 0, {120, 160, 190}, 1),
   };
   struct Item {

@@ -34,13 +34,9 @@ Revolution bowl(double radius, double height, double thickness, double centre_z)
            {0, thickness}}};
 }
 
-Revolution cup(double bottom_radius, double top_radius, double height, double thickness) {
-  return {{{0, 0},
-           {bottom_radius, 0},
-           {top_radius, height},
-           {top_radius - thickness, height},
-           {bottom_radius - thickness, thickness},
-           {0, thickness}}};
+Revolution cup(double radius, double height, double thickness) {
+  const double inner = radius - thickness;
+  return {{{0, 0}, {radius, 0}, {radius, height}, {inner, height}, {inner, thickness}, {0, thickness}}};
 }
 
 Revolution bottle(double radius, double height, double neck_radius, double shoulder_z, double neck_z) {

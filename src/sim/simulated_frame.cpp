@@ -3,6 +3,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "objectness_segmentation/sim/random.hpp"
+
 namespace objectness::sim {
 namespace {
 
@@ -50,6 +52,10 @@ SimulatedFrame simulateFrame(const Scene& scene, const Eigen::Isometry3d& T_worl
     frame.objects.push_back(observe(object, view, T_camera_world, frame.images.true_labels));
   }
   return frame;
+}
+
+std::uint32_t noiseSeed(std::uint32_t seed, std::uint32_t index, int frame) {
+  return Random({seed, index, static_cast<std::uint32_t>(frame)}).bits();
 }
 
 }  // namespace objectness::sim

@@ -1,58 +1,125 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes the built-in demo scene as a scene folder.
-#include <boost/program_options.hpp>
+// Simulates scenes with their truth: see `make_scene --help`.
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 
+#include "make_scene_options.hpp"
 #include "objectness_segmentation/ros/scene_bag_writer.hpp"
 #include "objectness_segmentation/sim/demo_scene.hpp"
+#include "objectness_segmentation/sim/scene_generator.hpp"
 #include "objectness_segmentation/sim/simulated_frame.hpp"
 
-int main(int argc, char** argv) {
-  namespace po = boost::program_options;
-  po::options_description options(
-      "make_scene --demo --out DIR [--seed N]\n\nWrites a simulated table with boxes, cylinders and a bowl: "
-      "depth.png, color.png, camera.yaml, labels.png (truth)");
-  auto add = options.add_options();
-  add("out", po::value<std::string>()->value_name("DIR"), "the scene folder, made when missing");
-  add("bag", po::value<std::string>()->value_name("FILE.bag"),
-      "a recording of a camera that moves about the scene, with the truth in it; replaced when it exists");
-  add("frames", po::value<int>()->value_name("N")->default_value(1), "of the bag");
-  add("rate", po::value<double>()->value_name("HZ")->default_value(10), "frames of the bag a second");
-  add("demo", po::bool_switch(), "the built-in scene");
-  add("seed", po::value<std::uint32_t>()->value_name("N")->default_value(1),
-      "moves the objects a little, makes the noise");
-  add("help,h", "print this");
-  try {
-    po::variables_map values;
-    po::store(po::command_line_parser(argc, argv).options(options).positional({}).run(), values);
-    if (values.count("help")) {
-      std::cout << options;
-      return 0;
+namespace {
+
+using namespace objectness;
+using namespace objectness::sim;
+namespace fs = std::filesystem;
+
+enum ExitStatus { kAllDone = 0, kSomeFailed = 1, kUsageError = 2 };
+
+std::string numbered(const std::string& name, int number) {
+  char digits[16];
+  std::snprintf(digits, sizeof digits, "_%04d", number);
+  return name + digits;
+}
+
+/// One picture, or all of the sequence.
+Status writeFolders(const Scene& scene, std::uint32_t index, const MakeSceneOptions& options, const fs::path& folder) {
+  const auto write = [&](const Eigen::Isometry3d& T_world_camera, int frame, const fs::path& to) {
+    const std::uint32_t noise = noiseSeed(options.seed, index, frame);
+    return saveSimulatedFrame(to.string(), simulateFrame(scene, T_world_camera, options.sensor, noise));
+  };
+  Status status;
+  if (options.frames) {
+    for (int frame = 0; frame < *options.frames && status.ok(); ++frame) {
+      status = write(orbitPose(scene, frame, *options.frames), frame, folder / numbered("frame", frame));
     }
-    po::notify(values);
-    const auto seed = values["seed"].as<std::uint32_t>();
-    const objectness::sim::Scene scene = objectness::sim::makeDemoScene(seed);
-    if (values.count("bag")) {
-      const auto path = values["bag"].as<std::string>();
-      objectness_segmentation::SceneBagSettings settings;
-      settings.seed = seed;
-      settings.frames = values["frames"].as<int>();
-      settings.rate_hz = values["rate"].as<double>();
-      const objectness::Status status = objectness_segmentation::writeSceneBag(path, scene, settings);
-      if (!status.ok()) {
-        std::cerr << "make_scene: --bag " << path << ": " << status.message << std::endl;
-        return 1;
+  } else {
+    status = write(scene.T_world_camera, 0, folder);
+  }
+  return status;
+}
+
+Status writeBag(const Scene& scene, std::uint32_t index, const MakeSceneOptions& options) {
+  objectness_segmentation::SceneBagSettings settings{options.sensor, options.frames.value_or(1), options.rate_hz};
+  settings.noise_seed = [&](int frame) { return noiseSeed(options.seed, index, frame); };
+  Status status = objectness_segmentation::writeSceneBag(options.bag, scene, settings);
+  if (!status.ok()) status.message = options.bag + ": " + status.message;
+  return status;
+}
+
+/// What was asked for of one scene. Prints how many objects there are.
+Status writeScene(const Scene& scene, std::uint32_t index, const MakeSceneOptions& options, const fs::path& folder) {
+  Status status;
+  if (!options.bag.empty()) status = writeBag(scene, index, options);
+  if (status.ok() && !options.out.empty()) status = writeFolders(scene, index, options, folder);
+  if (status.ok()) {
+    std::cout << (options.out.empty() ? options.bag : folder.string()) << ": " << scene.level << ", "
+              << scene.objects.size() << " objects" << std::endl;
+  }
+  return status;
+}
+
+/// What is said when a scene cannot be made or written; empty when all went well.
+std::string makeScene(const std::string& level, int index, const MakeSceneOptions& options, const fs::path& folder) {
+  try {
+    SceneRequest request{level, options.seed,         static_cast<std::uint32_t>(index), options.objects, options.table,
+                         {},    options.sensor.camera};
+    const Result<Scene> scene = generateScene(request);
+    return (scene.ok() ? writeScene(scene.value, request.index, options, folder) : scene.status).message;
+  } catch (const std::bad_alloc&) {
+    return "needs more memory than there is";
+  } catch (const std::exception& e) {
+    return e.what();
+  }
+}
+
+void printError(const std::string& message) { std::cerr << "make_scene: " << message << std::endl; }
+
+/// Many scenes, and the list of their groups for evaluations.
+ExitStatus makeScenes(const MakeSceneOptions& options) {
+  ExitStatus exit_status = kAllDone;
+  std::string groups = "scene,group\n";
+  for (const std::string& level : options.levels) {
+    for (int index = 0; index < *options.count; ++index) {
+      const std::string name = numbered(level, index);
+      const std::string problem = makeScene(level, index, options, fs::path(options.out) / name);
+      if (problem.empty()) {
+        groups += name + "," + level + "\n";
+      } else {
+        printError(name + ": " + problem);
+        exit_status = kSomeFailed;
       }
     }
-    if (!values.count("out")) return 0;
-    const auto frame =
-        objectness::sim::simulateFrame(scene, scene.T_world_camera, objectness::sim::DepthSensor(), seed);
-    const objectness::Status status = objectness::sim::saveSimulatedFrame(values["out"].as<std::string>(), frame);
-    if (status.ok()) return 0;
-    std::cerr << "make_scene: " << status.message << std::endl;
-    return 1;
-  } catch (const po::error& e) {
-    std::cerr << "make_scene: " << e.what() << " (make_scene --help)" << std::endl;
-    return 2;
   }
+  const std::string path = (fs::path(options.out) / "groups.csv").string();
+  if (std::ofstream(path) << groups) return exit_status;
+  printError("cannot write " + path);
+  return kSomeFailed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const Result<MakeSceneOptions> parsed = parseMakeSceneOptions(argc, argv);
+  if (!parsed.ok()) {
+    printError(parsed.status.message + " (make_scene --help)");
+    return kUsageError;
+  }
+  const MakeSceneOptions& options = parsed.value;
+  if (!options.print.empty()) {
+    std::cout << options.print << std::flush;
+    return std::cout ? kAllDone : kSomeFailed;
+  }
+  if (options.count) return makeScenes(options);
+  const std::string problem = options.levels.empty()
+                                  ? writeScene(makeDemoScene(options.seed), 0, options, options.out).message
+                                  : makeScene(options.levels.front(), 0, options, options.out);
+  if (problem.empty()) return kAllDone;
+  printError(problem);
+  return kSomeFailed;
 }

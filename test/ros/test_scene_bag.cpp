@@ -40,11 +40,11 @@ class SceneBag : public testing::Test {
     settings_.sensor = smallSensor();
     settings_.frames = 3;
     settings_.rate_hz = 4;
-    settings_.seed = 7;
+    settings_.noise_seed = [](int frame) { return 7u + frame; };
     status_ = writeSceneBag(path_, scene_, settings_);
     for (int i = 0; i < settings_.frames; ++i) {
       frames_.push_back(simulateFrame(scene_, sim::orbitPose(scene_, i, settings_.frames), settings_.sensor,
-                                      settings_.seed + static_cast<std::uint32_t>(i)));
+                                      settings_.noise_seed(i)));
     }
   }
 
@@ -147,7 +147,7 @@ TEST_F(SceneBag, IsTheSameFileEachTime) {
   const std::string again = folder_ / "again.bag";
   ASSERT_TRUE(writeSceneBag(again, scene_, settings_).ok());
   EXPECT_EQ(readBytes(again), readBytes(path_));
-  settings_.seed = 8;
+  settings_.noise_seed = [](int frame) { return 8u + frame; };
   ASSERT_TRUE(writeSceneBag(again, scene_, settings_).ok());
   EXPECT_NE(readBytes(again), readBytes(path_));
 }

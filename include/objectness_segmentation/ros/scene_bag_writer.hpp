@@ -28,17 +28,18 @@ class SceneBagWriter {
   bool has_static_transform_ = false;
 };
 
-/// A recording of a camera that swings about the scene (sim::orbitPose()): frame i at kFirstStamp_s + i / rate_hz with
-/// the noise of seed + i. The same arguments give the same bytes. on_frame is called after each.
-constexpr std::uint32_t kFirstStamp_s = 1000;
 struct SceneBagSettings {
   objectness::sim::DepthSensor sensor;
-  std::uint32_t seed = 1;
   int frames = 1;
   double rate_hz = 10;
+  /// The seed of a frame's noise.
+  std::function<std::uint32_t(int frame)> noise_seed = [](int frame) { return static_cast<std::uint32_t>(frame); };
 };
+
+/// A recording of a camera that swings about the scene (sim::orbitPose()), frame i at kFirstStamp_s + i / rate_hz. The
+/// same arguments give the same bytes.
+constexpr std::uint32_t kFirstStamp_s = 1000;
 objectness::Status writeSceneBag(const std::string& path, const objectness::sim::Scene& scene,
-                                 const SceneBagSettings& settings,
-                                 const std::function<void(int frame)>& on_frame = nullptr);
+                                 const SceneBagSettings& settings);
 
 }  // namespace objectness_segmentation

@@ -18,8 +18,8 @@ Revolution sphere(double radius);
 /// foot. `radius` is the outer sphere's and more than centre_z; `height` is the rim's.
 Revolution bowl(double radius, double height, double thickness, double centre_z);
 
-/// Open at the top, walls straight.
-Revolution cup(double bottom_radius, double top_radius, double height, double thickness);
+/// Open at the top, walls upright.
+Revolution cup(double radius, double height, double thickness);
 
 /// A closed bottle: body, shoulder and neck.
 Revolution bottle(double radius, double height, double neck_radius, double shoulder_z, double neck_z);

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Sourced by scripts/demo: a screen where there is none, and pictures of it.
 
-# A picture of rviz has tens of thousands of colours as soon as a cloud is drawn, an empty one under a thousand.
-least_colors=10000
+# A picture of rviz has thousands of colours as soon as a cloud is drawn, an empty one some 800.
+least_colors=2000
 
 # A name in DISPLAY is no display yet: over ssh or in a container there is often nobody behind it.
 has_display() {

@@ -7,7 +7,9 @@ came with an earlier stamp (it begins anew). Exit status 1 when there was none a
 """
 import queue
 import sys
+import time
 
+import rosgraph
 import rospy
 from objectness_segmentation.msg import SegmentedObjectArray
 
@@ -32,6 +34,8 @@ def print_table(result):
 
 def main():
     first_timeout, idle = map(float, sys.argv[1:])
+    while not rosgraph.is_master_online():
+        time.sleep(0.2)
     rospy.init_node('watch_objects', anonymous=True, disable_signals=True)
     results = queue.Queue()
     subscriber = rospy.Subscriber('/segment_objects/objects', SegmentedObjectArray, results.put)

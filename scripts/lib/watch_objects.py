@@ -34,7 +34,10 @@ def print_table(result):
 
 def main():
     first_timeout, idle = map(float, sys.argv[1:])
+    end = time.monotonic() + first_timeout
     while not rosgraph.is_master_online():
+        if time.monotonic() > end:
+            return 1
         time.sleep(0.2)
     rospy.init_node('watch_objects', anonymous=True, disable_signals=True)
     results = queue.Queue()

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "objectness_segmentation/common/parallel.hpp"
 #include "objectness_segmentation/sim/random.hpp"
 
 namespace objectness::sim {
@@ -24,22 +25,25 @@ double steepness(double theta) {
   return limited / (kPi / 2 - limited);
 }
 
-/// Noise of unit deviation, the mean over a window of that side up to scale.
-cv::Mat_<double> smoothNoise(cv::Size size, int window, Random& random) {
-  cv::Mat_<double> white(size.height + window - 1, size.width + window - 1);
-  for (double& value : white) value = random.gaussian();
-  cv::Mat_<double> rows(white.rows, size.width, 0.0), smooth(size, 0.0);
-  for (int v = 0; v < rows.rows; ++v) {
-    for (int u = 0; u < rows.cols; ++u) {
-      for (int i = 0; i < window; ++i) rows(v, u) += white(v, u + i);
-    }
+/// Adds `window` numbers that follow each other, from every place on: count sums of numbers `stride` apart.
+void addWindows(const double* from, int window, int count, std::size_t stride, double* sums) {
+  double sum = 0;
+  for (int i = 0; i < count + window - 1; ++i) {
+    sum += from[i * stride];
+    if (i >= window) sum -= from[(i - window) * stride];
+    if (i >= window - 1) sums[(i - window + 1) * stride] = sum;
   }
-  for (int v = 0; v < smooth.rows; ++v) {
-    for (int u = 0; u < smooth.cols; ++u) {
-      for (int i = 0; i < window; ++i) smooth(v, u) += rows(v + i, u) / window;  // deviation of window^2 added: window
-    }
-  }
-  return smooth;
+}
+
+/// Noise of unit deviation, the mean over a window of that side up to scale. Each `kind` is independent of the others.
+cv::Mat_<double> smoothNoise(cv::Size size, int window, std::uint32_t seed, std::uint32_t kind) {
+  Random random({seed, kind});
+  cv::Mat_<double> noise(size.height + window - 1, size.width + window - 1);
+  for (double& value : noise) value = random.gaussian();
+  std::vector<double> sums(noise.total());
+  for (int v = 0; v < noise.rows; ++v) addWindows(noise[v], window, size.width, 1, &sums[v * noise.step1()]);
+  for (int u = 0; u < size.width; ++u) addWindows(&sums[u], window, size.height, noise.step1(), noise[0] + u);
+  return noise(cv::Rect({0, 0}, size)) / window;  // window^2 numbers added have a deviation of window
 }
 
 /// Angle between a pixel's ray and its surface's normal.
@@ -84,19 +88,17 @@ double DepthSensor::axialSigma(double z, double theta) const {
 
 double DepthSensor::lateralSigma(double theta) { return 0.8 + 0.035 * steepness(theta); }
 
-SceneImages takePicture(const SurfaceView& view, const DepthSensor& sensor, std::uint32_t seed) {
+SceneImages takePicture(const SurfaceView& view, const DepthSensor& sensor, std::uint32_t seed, int threads) {
   const PinholeCamera& camera = view.camera;
   const cv::Size size(camera.width, camera.height);
   SceneImages picture{camera, cv::Mat_<ushort>(size, ushort{0}), view.color, cv::Mat_<ushort>(size, ushort{0})};
-  Random random(seed);
-  cv::Mat_<double> axial, right, down, loss;
+  const int windows_px[] = {kAxialWindow_px, kLateralWindow_px, kLateralWindow_px, kLossWindow_px};
+  cv::Mat_<double> noise[4];
   if (!sensor.ideal) {
-    axial = smoothNoise(size, kAxialWindow_px, random);
-    right = smoothNoise(size, kLateralWindow_px, random);
-    down = smoothNoise(size, kLateralWindow_px, random);
-    loss = smoothNoise(size, kLossWindow_px, random);
+    parallelFor(4, threads, [&](int kind) { noise[kind] = smoothNoise(size, windows_px[kind], seed, kind); });
   }
-  for (int v = 0; v < size.height; ++v) {
+  const cv::Mat_<double>&axial = noise[0], &right = noise[1], &down = noise[2], &loss = noise[3];
+  parallelFor(size.height, threads, [&](int v) {
     for (int u = 0; u < size.width; ++u) {
       const Vector3d ray = camera.ray(u, v);
       int from_u = u, from_v = v;
@@ -117,7 +119,7 @@ SceneImages takePicture(const SurfaceView& view, const DepthSensor& sensor, std:
       picture.depth_mm(v, u) = static_cast<ushort>(depth_mm);
       picture.true_labels(v, u) = from.body->label;
     }
-  }
+  });
   return picture;
 }
 

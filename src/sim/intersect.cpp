@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -11,6 +12,12 @@ using Eigen::Vector3d;
 
 // Keeps a ray that starts on a surface from hitting that surface again.
 constexpr double kMinT = 1e-9;
+// The pieces of a surface reach this far over their ends, so that rounding leaves no pinhole at a seam or at a pole.
+constexpr double kSeam_m = 1e-12;
+
+bool isBetween(double value, double a, double b) {
+  return value >= std::min(a, b) - kSeam_m && value <= std::max(a, b) + kSeam_m;
+}
 
 /// Keeps the nearest of the candidates that are offered.
 struct Nearest {
@@ -34,7 +41,7 @@ std::array<double, 2> roots(double a, double b, double c) {
 void offerRing(double z, double r1, double r2, Nearest& nearest) {
   const double t = (z - nearest.ray.origin.z()) / nearest.ray.direction.z();
   const double r = nearest.ray.at(t).head<2>().norm();
-  if (r >= std::min(r1, r2) && r <= std::max(r1, r2)) nearest.offer(t, Vector3d::UnitZ());
+  if (isBetween(r, r1, r2)) nearest.offer(t, Vector3d::UnitZ());
 }
 
 /// The part of a sphere between two heights.
@@ -42,7 +49,7 @@ void offerSphere(const Vector3d& centre, double radius, double z1, double z2, Ne
   const Vector3d o = nearest.ray.origin - centre, &d = nearest.ray.direction;
   for (const double t : roots(d.squaredNorm(), o.dot(d), o.squaredNorm() - radius * radius)) {
     const Vector3d p = nearest.ray.at(t);
-    if (p.z() >= std::min(z1, z2) && p.z() <= std::max(z1, z2)) nearest.offer(t, (p - centre) / radius);
+    if (isBetween(p.z(), z1, z2)) nearest.offer(t, (p - centre) / radius);
   }
 }
 
@@ -54,7 +61,7 @@ void offerCone(const Corner& from, const Corner& to, Nearest& nearest) {
   const auto o = ray.origin.head<2>(), d = ray.direction.head<2>();
   for (const double t : roots(d.squaredNorm() - dr * dr, o.dot(d) - r * dr, o.squaredNorm() - r * r)) {
     const Vector3d p = ray.at(t);
-    if (!(p.z() >= std::min(from.z, to.z) && p.z() <= std::max(from.z, to.z))) continue;
+    if (!isBetween(p.z(), from.z, to.z)) continue;
     const double distance = p.head<2>().norm();
     if (distance == 0) continue;  // the tip itself has no normal; the rays beside it do
     nearest.offer(t, Vector3d(p.x() / distance, p.y() / distance, -slope).normalized());
@@ -70,7 +77,7 @@ void offerRod(const Vector3d& from, const Vector3d& to, double radius, Nearest& 
   for (const double t :
        roots(d_across.squaredNorm(), o_across.dot(d_across), o_across.squaredNorm() - radius * radius)) {
     const double along = (ray.at(t) - from).dot(axis);
-    if (along >= 0 && along <= length) nearest.offer(t, (o_across + t * d_across) / radius);
+    if (isBetween(along, 0, length)) nearest.offer(t, (o_across + t * d_across) / radius);
   }
 }
 

@@ -67,7 +67,7 @@ Placed placeBeside(const Thing& thing, double yaw, const Placed& neighbour, doub
 std::optional<Placed> placeOn(const Thing& thing, const Placed& support, Random& random) {
   const Vector2d& top = support.thing.top_half;
   const Vector3d size = thing.box().sizes();
-  if (!support.upright || size.head<2>().minCoeff() / 2 > kMostOverhang * top.minCoeff() ||
+  if (!support.upright || thing.kind == "sphere" || size.head<2>().minCoeff() / 2 > kMostOverhang * top.minCoeff() ||
       size.head<2>().maxCoeff() / 2 > kMostOverhang * top.maxCoeff()) {
     return {};
   }

@@ -31,7 +31,8 @@ double gap(const Placed& a, const Placed& b);
 /// their gap is gap_m.
 Placed placeBeside(const Thing& thing, double yaw, const Placed& neighbour, double angle, double gap_m);
 
-/// On the flat top of `support`, its centre well over it. Nothing when there is no such top or it is too small.
+/// On the flat top of `support`, its centre well over it. Nothing when there is no such top, it
+/// is too small, or the thing would roll off.
 std::optional<Placed> placeOn(const Thing& thing, const Placed& support, Random& random);
 
 /// A slab whose lower edge stands on the table and which leans at a side of `support`: its face touches the support's

@@ -10,9 +10,8 @@
 namespace objectness::sim {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr int kAttempts = 100;  // at a whole scene, each with a little more room than the one before
-constexpr double kMoreRoom = 0.01;
+constexpr int kAttempts = 1000;  // at a whole scene, each with a little more room than the one before
+constexpr double kMoreRoom = 0.001;
 constexpr int kCoarse_px = 96;  // width of the picture that shows who hides whom
 constexpr int kFirstLabel = 20;
 
@@ -55,9 +54,9 @@ Scene assemble(const std::string& level, const std::vector<Body>& room, const st
   return scene;
 }
 
-/// Whether as much of the objects is covered as their level asks for.
-bool isCoveredAsAsked(const Scene& scene, const PinholeCamera& camera, const Level& level) {
-  if (scene.objects.empty()) return true;
+/// Whether the table fills enough of the picture, and as much of the objects is covered as their level asks for.
+bool looksAsAsked(const Scene& scene, const SceneRequest& request, const Level& level) {
+  const PinholeCamera& camera = request.camera;
   const double scale = static_cast<double>(kCoarse_px) / camera.width;
   const PinholeCamera coarse{camera.fx * scale,
                              camera.fy * scale,
@@ -66,17 +65,22 @@ bool isCoveredAsAsked(const Scene& scene, const PinholeCamera& camera, const Lev
                              kCoarse_px,
                              static_cast<int>(camera.height * scale)};
   const SurfaceView view = viewSurfaces(scene.bodies, scene.T_world_camera, coarse, {}, 1);
+  int on_table = 0;
+  for (const auto& [label, pixels] : view.pixels_seen) on_table += label > 0 ? pixels : 0;
+  const int wanted = static_cast<int>(request.min_table_share * coarse.width * coarse.height);
+  if (!request.T_world_camera && on_table < wanted) return false;
   double least = 1;
   for (const SceneObject& object : scene.objects) {
-    const auto seen = view.pixels_seen.find(object.label), alone = view.pixels_alone.find(object.label);
-    least = std::min(least, seen == view.pixels_seen.end() ? 0.0 : double(seen->second) / alone->second);
+    const int alone = view.pixels_alone.at(object.label);
+    least = std::min(least, alone > 0 ? static_cast<double>(view.pixels_seen.at(object.label)) / alone : 0);
   }
-  return least >= level.min_visible && (least <= level.most_covered || scene.objects.size() == 1);
+  return least >= level.min_visible && (least <= level.most_covered || scene.objects.size() < 2);
 }
 
 std::string describe(const SceneRequest& request, int count) {
   return "found no room for " + std::to_string(count) + " objects at level '" + request.level +
-         "' on the table and in the camera's view: ask for fewer, or give a larger table or a wider camera";
+         "' on the table and in the camera's view: ask for fewer, give a larger table or a wider camera, or let the "
+         "table fill less of the picture";
 }
 
 }  // namespace
@@ -106,7 +110,7 @@ Result<Scene> generateScene(const SceneRequest& request) {
     if (static_cast<int>(things.size()) < count) continue;
     const std::vector<Body> room = roomBodies(table, random);
     const Scene scene = assemble(level->name, room, things, area.viewpoint, random);
-    if (isCoveredAsAsked(scene, request.camera, *level)) return {{}, scene};
+    if (looksAsAsked(scene, request, *level)) return {{}, scene};
   }
   return bad(describe(request, count));
 }

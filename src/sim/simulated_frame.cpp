@@ -15,12 +15,8 @@ TrueObject observe(const SceneObject& object, const SurfaceView& view, const Eig
   truth.label = object.label;
   truth.kind = object.kind;
   truth.box = {T_camera_world * object.T_world_box, object.size_m};
-  const auto count = [&](const std::map<int, int>& counts) {
-    const auto found = counts.find(object.label);
-    return found == counts.end() ? 0 : found->second;
-  };
-  const int alone = count(view.pixels_alone);
-  if (alone > 0) truth.visible = static_cast<double>(count(view.pixels_seen)) / alone;
+  const int alone = view.pixels_alone.at(object.label);
+  if (alone > 0) truth.visible = static_cast<double>(view.pixels_seen.at(object.label)) / alone;
   const cv::Mat mask = labels == object.label;
   truth.hidden = truth.visible < kMinVisible || cv::countNonZero(mask) < kMinVisiblePixels;
   if (truth.hidden) {

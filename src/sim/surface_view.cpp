@@ -18,10 +18,6 @@ cv::Vec3b shade(const cv::Vec3b& color, const Vector3d& normal) {
   return color * light;
 }
 
-void add(const std::map<int, int>& more, std::map<int, int>& counts) {
-  for (const auto& [label, count] : more) counts[label] += count;
-}
-
 }  // namespace
 
 SurfaceView viewSurfaces(const std::vector<Body>& bodies, const Eigen::Isometry3d& T_world_camera,
@@ -30,26 +26,28 @@ SurfaceView viewSurfaces(const std::vector<Body>& bodies, const Eigen::Isometry3
   view.pixels.resize(static_cast<std::size_t>(camera.width) * camera.height);
   const RayCaster caster(bodies);
   const Eigen::Matrix3d R_camera_world = T_world_camera.linear().transpose();
-  std::vector<std::map<int, int>> seen(camera.height), alone(camera.height);  // by row, then label
+  int labels = 0;
+  for (const Body& body : bodies) labels = std::max(labels, body.label + 1);
+  cv::Mat_<int> seen(camera.height, labels, 0), alone(camera.height, labels, 0);  // by row, then label
   parallelFor(camera.height, threads, [&](int v) {
     for (int u = 0; u < camera.width; ++u) {
       const Ray ray{T_world_camera.translation(), T_world_camera.linear() * camera.ray(u, v)};  // its t is the depth
       int last_label = -1;  // the bodies of one object follow each other
       const SceneHit first = caster.first(ray, [&](const Body& body) {
-        if (body.label != last_label) ++alone[v][body.label];
+        if (body.label != last_label) ++alone(v, body.label);
         last_label = body.label;
       });
       if (!first.body) continue;
-      ++seen[v][first.body->label];
+      ++seen(v, first.body->label);
       view.color(v, u) = shade(first.body->color, first.hit.normal);
       const bool lit = !projector || !caster.isBlocked(T_world_camera * *projector, ray.at(first.hit.t));
       view.pixels[static_cast<std::size_t>(v) * camera.width + u] = {first.body, first.hit.t,
                                                                      R_camera_world * first.hit.normal, lit};
     }
   });
-  for (int v = 0; v < camera.height; ++v) {
-    add(seen[v], view.pixels_seen);
-    add(alone[v], view.pixels_alone);
+  for (const Body& body : bodies) {
+    view.pixels_seen[body.label] = static_cast<int>(cv::sum(seen.col(body.label))[0]);
+    view.pixels_alone[body.label] = static_cast<int>(cv::sum(alone.col(body.label))[0]);
   }
   return view;
 }

@@ -67,8 +67,14 @@ Status writeScene(const Scene& scene, std::uint32_t index, const MakeSceneOption
 /// What is said when a scene cannot be made or written; empty when all went well.
 std::string makeScene(const std::string& level, int index, const MakeSceneOptions& options, const fs::path& folder) {
   try {
-    SceneRequest request{level, options.seed,         static_cast<std::uint32_t>(index), options.objects, options.table,
-                         {},    options.sensor.camera};
+    SceneRequest request;
+    request.level = level;
+    request.seed = options.seed;
+    request.index = static_cast<std::uint32_t>(index);
+    request.objects = options.objects;
+    request.table = options.table;
+    request.min_table_share = options.table_share.value_or(request.min_table_share);
+    request.camera = options.sensor.camera;
     const Result<Scene> scene = generateScene(request);
     return (scene.ok() ? writeScene(scene.value, request.index, options, folder) : scene.status).message;
   } catch (const std::bad_alloc&) {
@@ -82,6 +88,12 @@ void printError(const std::string& message) { std::cerr << "make_scene: " << mes
 
 /// Many scenes, and the list of their groups for evaluations.
 ExitStatus makeScenes(const MakeSceneOptions& options) {
+  std::error_code error;
+  fs::create_directories(options.out, error);
+  if (error) {
+    printError("cannot make the folder " + options.out + ": " + error.message());
+    return kSomeFailed;
+  }
   ExitStatus exit_status = kAllDone;
   std::string groups = "scene,group\n";
   for (const std::string& level : options.levels) {

@@ -58,6 +58,8 @@ po::options_description shownOptions() {
   add("camera", text("CAMERA.yaml"), "the camera's intrinsics (640 x 480, f = 525)");
   add("size", text("WIDTHxHEIGHT"), "scale the camera to another image width; the height is cut or grows");
   add("table", text("SIZE"), "metres: WIDTHxDEPTHxHEIGHT or round:DIAMETERxHEIGHT (otherwise drawn at random)");
+  add("table-share", po::value<double>()->value_name("X"),
+      "least share of the picture that table and objects fill, 0 to 0.9 (0.4); less means more floor");
   add("out", text("DIR"), "folder for the scene or scenes, made when missing");
   add("bag", text("FILE.bag"), "the scene as a recording, replaced when it exists");
   add("help,h", po::bool_switch(), "print this");
@@ -131,8 +133,8 @@ Options interpret(const po::variables_map& values) {
         readNumber(values, "frames", 1, kMaxCount, o.frames), readNumber(values, "seed", 0, 4294967295, o.seed)}) {
     if (!problem.empty()) return bad(problem);
   }
-  if (demo && (o.objects || o.count || values.count("table"))) {
-    return bad("--objects, --count and --table belong to --level: the demo scene has its own");
+  if (demo && (o.objects || o.count || values.count("table") || values.count("table-share"))) {
+    return bad("--objects, --count, --table and --table-share belong to --level: the demo scene has its own");
   }
   if (all && !o.count) return bad("--level all needs --count N: how many scenes of each level?");
   if (o.count && o.frames) return bad("--count and --frames exclude each other: a sequence is of one scene");
@@ -140,6 +142,10 @@ Options interpret(const po::variables_map& values) {
     const Result<TableSize> table = parseTable(text("table"));
     if (!table.ok()) return bad("--table: " + table.status.message);
     o.table = table.value;
+  }
+  if (values.count("table-share")) {
+    o.table_share = values["table-share"].as<double>();
+    if (!(*o.table_share >= 0 && *o.table_share <= 0.9)) return bad("--table-share must be 0 to 0.9");
   }
   if (values.count("camera")) {
     const Result<PinholeCamera> camera = loadCamera(text("camera"));

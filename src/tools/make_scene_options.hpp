@@ -18,6 +18,7 @@ struct MakeSceneOptions {
   std::optional<int> objects, count, frames;
   std::uint32_t seed = 1;
   std::optional<TableSize> table;
+  std::optional<double> table_share;
   DepthSensor sensor;
   std::string out, bag;  ///< folder and bag, one of them or both
   double rate_hz = 10;   ///< of the bag's frames

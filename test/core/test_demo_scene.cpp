@@ -43,9 +43,10 @@ TEST(DemoScene, ObjectsNeverTouch) {
     for (double x = -0.5; x < 0.5; x += 0.004) {
       for (double y = -0.3; y < 0.4; y += 0.004) {
         int hit = 0;
-        for (std::size_t k = 2; k < bodies.size(); ++k) {
-          const Eigen::Isometry3d T_body_world = bodies[k].T_world_body.inverse();
-          hit += intersect(bodies[k].shape, {T_body_world * Eigen::Vector3d(x, y, 1), {1e-9, 1e-9, -1}}).has_value();
+        for (const Body& body : bodies) {
+          const Eigen::Isometry3d T_body_world = body.T_world_body.inverse();
+          const Ray ray{T_body_world * Eigen::Vector3d(x, y, 1), {1e-9, 1e-9, -1}};
+          hit += body.label >= 20 && intersect(body.shape, ray);
         }
         ASSERT_LE(hit, 1) << "seed " << seed << " at " << x << ", " << y;
       }

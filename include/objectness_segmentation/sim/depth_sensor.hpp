@@ -14,15 +14,16 @@ namespace objectness::sim {
 ///     3DIMPVT 2012.
 /// [K] K. Khoshelham, S. O. Elberink: Accuracy and Resolution of Kinect Depth Data for Indoor Mapping Applications.
 ///     Sensors 12(2), 2012.
+/// [T] K. Konolige, P. Mihelich: Technical description of Kinect calibration. ROS wiki, kinect_calibration/technical.
 struct DepthSensor {
   PinholeCamera camera{525, 525, 319.5, 239.5, 640, 480};
   bool ideal = false;  ///< every surface point gives its depth, rounded to a millimetre: nothing of what follows
 
-  double baseline_m = 0.075;         ///< projector to the right of the camera: what it does not light has no depth
-  double disparity_step_px = 0.125;  ///< disparity is measured in steps of this [K]
+  double baseline_m = 0.075;         ///< projector to the right of the camera [T]: what it does not light has no depth
+  double disparity_step_px = 0.125;  ///< disparity is measured in steps of this [K, T]
   double min_depth_m = 0.4, max_depth_m = 4.0;
   /// A pixel is lost with a probability that grows linearly with the angle of incidence, from 0 to 1 between these.
-  /// [N] could measure up to some 70 deg and reports no more; the form of the ramp is our own.
+  /// We know of no published law for it: the ramp is our own.
   double grazing_start_deg = 70, grazing_end_deg = 84;
 
   /// Standard deviation of the measured depth at incidence theta (radians from the surface's normal), metres: sigma_z
@@ -39,9 +40,10 @@ struct DepthSensor {
 /// What the sensor measures of a view. Labels are those of the surfaces that gave the depths, 0 where there is none.
 ///
 /// The noise depends on the seed alone. It is smooth, because neighbouring pixels are matched by windows that overlap:
-/// over 3 pixels along the ray; over 9 pixels (the window of the Kinect, as its users found) across it, so that edges
-/// are wavy rather than frayed; lost pixels come in patches. The deviation of each single pixel is the published one.
-SceneImages takePicture(const SurfaceView& view, const DepthSensor& sensor, std::uint32_t seed);
+/// over 3 pixels along the ray; over 9 pixels (the matching window, 9 x 9 or 9 x 7 by [T]) across it, so that edges are
+/// wavy rather than frayed; lost pixels come in patches. The deviation of each single pixel is the published one.
+/// threads: 0 one per processor; the result does not depend on it.
+SceneImages takePicture(const SurfaceView& view, const DepthSensor& sensor, std::uint32_t seed, int threads = 0);
 
 /// Sees and measures.
 SceneImages takePicture(const std::vector<Body>& bodies, const Eigen::Isometry3d& T_world_camera,

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <random>
 #include <vector>
 
@@ -32,14 +31,23 @@ class Random {
     return from[integer(0, static_cast<int>(from.size()) - 1)];
   }
 
-  /// Mean 0, deviation 1 (Box and Muller).
+  /// Mean 0, deviation 1 (Box and Muller, who give two at a time).
   double gaussian() {
+    if (has_second_) {
+      has_second_ = false;
+      return second_;
+    }
     const double radius = std::sqrt(-2 * std::log((generator_() + 1.0) / 4294967296.0));
-    return radius * std::cos(2 * 3.14159265358979323846 * generator_() / 4294967296.0);
+    const double angle = 2 * 3.14159265358979323846 * generator_() / 4294967296.0;
+    has_second_ = true;
+    second_ = radius * std::sin(angle);
+    return radius * std::cos(angle);
   }
 
  private:
   std::mt19937 generator_;
+  double second_ = 0;
+  bool has_second_ = false;
 };
 
 }  // namespace objectness::sim

@@ -7,7 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "fixtures/bag_files.hpp"
-#include "fixtures/run_command.hpp"
+#include "fixtures/tool_test.hpp"
 #include "objectness_segmentation/ros/topics.hpp"
 
 namespace {
@@ -15,12 +15,11 @@ namespace {
 using namespace objectness_segmentation;
 using namespace objectness_test;
 
-class MakeSceneBag : public testing::Test {
+class MakeSceneBag : public ToolTest {
  protected:
-  static Outcome run(const std::string& arguments) {
-    return runCommand(TOOL_DIR "/make_scene --demo --size 160x120 " + arguments);
+  Outcome run(const std::string& arguments) const {
+    return ToolTest::run("make_scene", "--demo --size 160x120 " + arguments);
   }
-  TemporaryFolder folder_;
   const std::string bag_ = folder_ / "scene.bag";
 };
 

@@ -4,8 +4,8 @@
 
 #include "fixtures/bag_files.hpp"
 #include "fixtures/ros_messages.hpp"
-#include "fixtures/run_command.hpp"
 #include "fixtures/small_scene.hpp"
+#include "fixtures/tool_test.hpp"
 #include "objectness_segmentation/SegmentedObjectArray.h"
 #include "objectness_segmentation/ros/scene_bag_writer.hpp"
 #include "objectness_segmentation/ros/scene_messages.hpp"
@@ -15,9 +15,9 @@ namespace {
 using namespace objectness_segmentation;
 using namespace objectness_test;
 
-class SegmentBagTool : public testing::Test {
+class SegmentBagTool : public ToolTest {
  protected:
-  Outcome run(const std::string& arguments) const { return runCommand(TOOL_DIR "/segment_bag " + arguments); }
+  Outcome run(const std::string& arguments) const { return ToolTest::run("segment_bag", arguments); }
   void writeScenes(int frames) const {
     SceneBagSettings settings;
     settings.sensor = smallSensor();
@@ -31,7 +31,6 @@ class SegmentBagTool : public testing::Test {
     EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
   }
 
-  TemporaryFolder folder_;
   const std::string in_ = folder_ / "in.bag", out_ = folder_ / "out.bag";
   /// The coarse angles make it quick.
   const std::string usual_ = "--set search.angle_step_deg=30 --out " + out_ + " " + in_;

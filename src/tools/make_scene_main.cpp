@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "make_scene_options.hpp"
+#include "objectness_segmentation/ros/scene_bag_writer.hpp"
 #include "objectness_segmentation/sim/demo_scene.hpp"
 #include "objectness_segmentation/sim/scene_generator.hpp"
 #include "objectness_segmentation/sim/simulated_frame.hpp"
@@ -26,8 +27,8 @@ std::string numbered(const std::string& name, int number) {
   return name + digits;
 }
 
-/// One picture, or all of the sequence. Prints how many objects there are.
-Status writeScene(const Scene& scene, std::uint32_t index, const MakeSceneOptions& options, const fs::path& folder) {
+/// One picture, or all of the sequence.
+Status writeFolders(const Scene& scene, std::uint32_t index, const MakeSceneOptions& options, const fs::path& folder) {
   const auto write = [&](const Eigen::Isometry3d& T_world_camera, int frame, const fs::path& to) {
     const std::uint32_t noise = noiseSeed(options.seed, index, frame);
     return saveSimulatedFrame(to.string(), simulateFrame(scene, T_world_camera, options.sensor, noise));
@@ -40,8 +41,25 @@ Status writeScene(const Scene& scene, std::uint32_t index, const MakeSceneOption
   } else {
     status = write(scene.T_world_camera, 0, folder);
   }
+  return status;
+}
+
+Status writeBag(const Scene& scene, std::uint32_t index, const MakeSceneOptions& options) {
+  objectness_segmentation::SceneBagSettings settings{options.sensor, options.frames.value_or(1), options.rate_hz};
+  settings.noise_seed = [&](int frame) { return noiseSeed(options.seed, index, frame); };
+  Status status = objectness_segmentation::writeSceneBag(options.bag, scene, settings);
+  if (!status.ok()) status.message = options.bag + ": " + status.message;
+  return status;
+}
+
+/// What was asked for of one scene. Prints how many objects there are.
+Status writeScene(const Scene& scene, std::uint32_t index, const MakeSceneOptions& options, const fs::path& folder) {
+  Status status;
+  if (!options.bag.empty()) status = writeBag(scene, index, options);
+  if (status.ok() && !options.out.empty()) status = writeFolders(scene, index, options, folder);
   if (status.ok()) {
-    std::cout << folder.string() << ": " << scene.level << ", " << scene.objects.size() << " objects" << std::endl;
+    std::cout << (options.out.empty() ? options.bag : folder.string()) << ": " << scene.level << ", "
+              << scene.objects.size() << " objects" << std::endl;
   }
   return status;
 }

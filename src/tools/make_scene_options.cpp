@@ -15,16 +15,18 @@ using Options = Result<MakeSceneOptions>;
 
 constexpr int kMaxCount = 1000000;  // folders are numbered
 constexpr int kMaxSide_px = 4096;
+constexpr double kMinRate_hz = 0.01, kMaxRate_hz = 1000;
 
 constexpr const char* kIntroduction =
     "Simulates a depth camera that looks at things on a table, and writes what it sees with the truth about it.\n"
     "\n"
-    "  make_scene --demo | --level NAME|all [OPTION...] --out DIR\n"
+    "  make_scene --demo | --level NAME|all [OPTION...] --out DIR | --bag FILE.bag\n"
     "\n"
     "A scene is a folder: depth.png (16-bit millimetres), color.png, camera.yaml, labels.png (0 void, 1 table,\n"
     "20, 30, ... objects), objects.yaml (table, and of each object kind, extent in the picture, visible share, pose "
     "and\n"
-    "size) and pose.yaml (of the camera). The same options give the same files.\n"
+    "size) and pose.yaml (of the camera). A bag has the topics of a camera driver, and the truth on /truth/labels and\n"
+    "/truth/objects. The same options give the same files.\n"
     "\n";
 
 constexpr const char* kExamples =
@@ -33,6 +35,7 @@ constexpr const char* kExamples =
     "  make_scene --demo --out scene\n"
     "  make_scene --level all --count 25 --out scenes\n"
     "  make_scene --level clutter --objects 12 --table round:1.1x0.72 --seed 7 --frames 60 --out sequence\n"
+    "  make_scene --demo --frames 30 --rate 10 --bag demo.bag\n"
     "\n"
     "Exit status: 0 everything written, 1 some scene could not be made or written, 2 wrong command line.\n";
 
@@ -49,7 +52,8 @@ po::options_description shownOptions() {
   add("objects", number(), "how many objects, 0 to 20 (otherwise drawn at random)");
   add("seed", number(), "another seed, other scenes (1)");
   add("count", number(), "N scenes a level: DIR/LEVEL_0000, ... and their groups in DIR/groups.csv");
-  add("frames", number(), "N frames of a camera that swings around the scene: DIR/frame_0000, ...");
+  add("frames", number(), "N frames of a camera that swings around the scene: DIR/frame_0000, ..., or one bag");
+  add("rate", po::value<double>()->value_name("HZ"), "frames of a bag a second (10)");
   add("ideal", po::bool_switch(), "a depth camera without noise, steps, shadows or limits");
   add("camera", text("CAMERA.yaml"), "the camera's intrinsics (640 x 480, f = 525)");
   add("size", text("WIDTHxHEIGHT"), "scale the camera to another image width; the height is cut or grows");
@@ -57,6 +61,7 @@ po::options_description shownOptions() {
   add("table-share", po::value<double>()->value_name("X"),
       "least share of the picture that table and objects fill, 0 to 0.9 (0.4); less means more floor");
   add("out", text("DIR"), "folder for the scene or scenes, made when missing");
+  add("bag", text("FILE.bag"), "the scene as a recording, replaced when it exists");
   add("help,h", po::bool_switch(), "print this");
   return options;
 }
@@ -153,8 +158,13 @@ Options interpret(const po::variables_map& values) {
     o.sensor.camera = camera.value;
   }
   o.sensor.ideal = values["ideal"].as<bool>();
+  if (values.count("rate")) o.rate_hz = values["rate"].as<double>();
+  if (!(o.rate_hz >= kMinRate_hz && o.rate_hz <= kMaxRate_hz)) return bad("--rate: must be 0.01 to 1000 Hz");
   o.out = text("out");
-  if (o.out.empty()) return bad("no --out DIR given: where shall the scene go?");
+  o.bag = text("bag");
+  if (o.out.empty() && o.bag.empty()) return bad("neither --out DIR nor --bag FILE given: where shall the scene go?");
+  if (o.count && !o.bag.empty()) return bad("--count and --bag exclude each other: a bag is of one scene");
+  if (values.count("rate") && o.bag.empty()) return bad("--rate belongs to --bag");
   return options;
 }
 

@@ -20,8 +20,9 @@ struct MakeSceneOptions {
   std::optional<TableSize> table;
   std::optional<double> table_share;
   DepthSensor sensor;
-  std::string out;
-  std::string print;  ///< text to print instead of making anything (--help and the like)
+  std::string out, bag;  ///< folder and bag, one of them or both
+  double rate_hz = 10;   ///< of the bag's frames
+  std::string print;     ///< text to print instead of making anything (--help and the like)
 };
 
 /// An error is one that a look at `make_scene --help` helps with.

@@ -91,7 +91,7 @@ TEST_F(MakeSceneTool, WrongCommandLines) {
   for (const auto& [arguments, text] : std::vector<std::pair<std::string, std::string>>{
            {"--out o", "give either --demo or --level"},
            {"--demo --level boxes --out o", "give either --demo or --level"},
-           {"--demo", "no --out DIR given"},
+           {"--demo", "neither --out DIR nor --bag FILE given"},
            {"--level chaos --out o", "--level chaos: must be all, boxes, shapes"},
            {"--level all --out o", "--level all needs --count"},
            {"--level boxes --count 2 --frames 2 --out o", "exclude each other"},

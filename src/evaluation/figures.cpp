@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/evaluation/figures.hpp"
 
-#include <algorithm>
-
 namespace objectness::evaluation {
 namespace {
 
 constexpr const char* kObjects = "boxed_objects";
-
-bool isRecall(const std::string& column) {
-  return column.find("50_") != std::string::npos || column.find("70_") != std::string::npos;
-}
 
 }  // namespace
 
@@ -33,22 +27,18 @@ Figures toFigures(const ProposalFigures& proposals) {
 
 Figures poolProposals(const std::vector<Figures>& scenes) {
   Figures pooled;
-  double objects = 0, count = 0;
+  double count = 0;
   for (const Figures& scene : scenes) {
     if (scene.empty()) continue;
+    ++count;
     if (pooled.empty()) {
       pooled = scene;
-      for (auto& column : pooled) column.second = 0;
-    }
-    const double weight = scene.front().second;  // its objects
-    objects += weight;
-    ++count;
-    for (std::size_t i = 0; i < pooled.size(); ++i) {
-      pooled[i].second += scene[i].second * (isRecall(pooled[i].first) ? weight : 1);
+    } else {
+      for (std::size_t i = 0; i < pooled.size(); ++i) pooled[i].second += scene[i].second;
     }
   }
   for (auto& [name, value] : pooled) {
-    if (name != kObjects) value /= isRecall(name) ? std::max(1.0, objects) : count;
+    if (name != kObjects) value /= count;
   }
   return pooled;
 }

@@ -23,8 +23,8 @@ Run toRun(const Json& json) {
   json.at("jobs").get_to(run.jobs);
   json.at("shard").get_to(run.shard);
   json.at("shards").get_to(run.shards);
-  for (const std::string level : json.at("levels")) {
-    run.levels.push_back(level == toString(Level::kObject) ? Level::kObject : Level::kPart);
+  for (const Json& level : json.at("levels")) {
+    run.levels.push_back(level == Json(toString(Level::kObject)) ? Level::kObject : Level::kPart);
   }
   for (const Json& method : json.at("methods")) {
     run.methods.push_back({method.at("name"), method.at("description"), method.at("settings")});

@@ -45,8 +45,9 @@ SceneResult toResult(const Json& json) {
   result.object = toScores(json.at("object"));
   result.part = toScores(json.at("part"));
   json.at("segments").get_to(result.segments);
-  for (const auto& [column, value] : json.at("proposals").items()) result.proposals.emplace_back(column, value);
-  for (const auto& [stage, ms] : json.at("timings_ms").items()) result.timings_ms.emplace_back(stage, ms);
+  for (const auto& [column, value] : json.at("proposals").items())
+    result.proposals.emplace_back(column, value.get<double>());
+  for (const auto& [stage, ms] : json.at("timings_ms").items()) result.timings_ms.emplace_back(stage, ms.get<double>());
   json.at("peak_mib").get_to(result.peak_mib);
   return result;
 }

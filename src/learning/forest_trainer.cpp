@@ -40,9 +40,9 @@ Forest trainForest(const Samples& samples, const ForestSettings& settings) {
   cv::theRNG().state = settings.seed;
   cv::Ptr<cv::ml::RTrees> model = cv::ml::RTrees::create();
   model->setMaxDepth(settings.depth);
-  model->setMinSampleCount(settings.min_leaf_samples);
+  model->setMinSampleCount(settings.min_samples);
   model->setRegressionAccuracy(1e-4f);
-  model->setActiveVarCount(std::max(1, static_cast<int>(std::lround(std::sqrt(columns)))));
+  model->setActiveVarCount(std::max(1, static_cast<int>(std::lround(settings.cue_share * columns))));
   model->setTermCriteria({cv::TermCriteria::MAX_ITER, settings.trees, 0});
   model->train(cv::ml::TrainData::create(values, cv::ml::ROW_SAMPLE, targets));
   Forest forest{samples.cues, {}};

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Plays a camera driver with a scene from files: the organized cloud and its camera_info, again and again.
-#include <geometry_msgs/TransformStamped.h>
 #include <ros/ros.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 
@@ -11,23 +10,8 @@
 #include "objectness_segmentation/ros/scene_messages.hpp"
 #include "objectness_segmentation/ros/topics.hpp"
 
-namespace {
-
-using namespace objectness_segmentation;
-
-/// The optical frame (z forward) below a body frame (x forward, z up), REP 103.
-geometry_msgs::TransformStamped opticalFrame(const std::string& parent, const std::string& frame_id) {
-  geometry_msgs::TransformStamped transform;
-  transform.header.frame_id = parent;
-  transform.child_frame_id = frame_id;
-  transform.transform.rotation.x = transform.transform.rotation.z = -0.5;
-  transform.transform.rotation.y = transform.transform.rotation.w = 0.5;
-  return transform;
-}
-
-}  // namespace
-
 int main(int argc, char** argv) {
+  using namespace objectness_segmentation;
   ros::init(argc, argv, "publish_scene");
   ros::NodeHandle nh;
   const ros::NodeHandle private_nh("~");
@@ -46,7 +30,9 @@ int main(int argc, char** argv) {
   }
 
   tf2_ros::StaticTransformBroadcaster broadcaster;
-  broadcaster.sendTransform(opticalFrame(parent, frame_id));
+  std_msgs::Header body;
+  body.frame_id = parent;
+  broadcaster.sendTransform(toTransformMessage(opticalToBody(), body, frame_id));
   const auto clouds = nh.advertise<sensor_msgs::PointCloud2>(topics::kPoints, kPublisherQueueSize);
   const auto cameras = nh.advertise<sensor_msgs::CameraInfo>(topics::kCameraInfo, kPublisherQueueSize);
   sensor_msgs::PointCloud2 cloud = toCloudMessage(frame.value, {});

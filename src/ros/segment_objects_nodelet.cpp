@@ -2,12 +2,11 @@
 #include "segment_objects_nodelet.hpp"
 
 #include <algorithm>
-#include <boost/make_shared.hpp>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "objectness_segmentation/io/config_yaml.hpp"
 #include "objectness_segmentation/ros/diagnostics.hpp"
-#include "objectness_segmentation/ros/output_conversions.hpp"
+#include "objectness_segmentation/ros/output_messages.hpp"
 #include "objectness_segmentation/ros/params.hpp"
 #include "objectness_segmentation/ros/topics.hpp"
 
@@ -169,20 +168,10 @@ void SegmentObjectsNodelet::process(const InputMessages& messages) {
 }
 
 void SegmentObjectsNodelet::publish(const SegmentedFrame& result, const std_msgs::Header& header, double seconds) {
-  if (objects_.getNumSubscribers() > 0) {
-    auto message =
-        boost::make_shared<SegmentedObjectArray>(toObjectsMessage(result.segmentation, result.frame, header));
-    message->processing_time = static_cast<float>(seconds);
-    message->dropped_frames = worker_->dropped();
-    objects_.publish(message);
-  }
-  if (segments_.getNumSubscribers() > 0) {
-    segments_.publish(
-        boost::make_shared<sensor_msgs::PointCloud2>(toSegmentsCloud(result.segmentation, result.frame, header)));
-  }
-  if (markers_.getNumSubscribers() > 0) {
-    markers_.publish(boost::make_shared<visualization_msgs::MarkerArray>(toMarkers(result.segmentation, header)));
-  }
+  const OutputMessages outputs(result, header, {seconds, worker_->dropped()});
+  if (objects_.getNumSubscribers() > 0) objects_.publish(outputs.objects());
+  if (segments_.getNumSubscribers() > 0) segments_.publish(outputs.segments());
+  if (markers_.getNumSubscribers() > 0) markers_.publish(outputs.markers());
 }
 
 /// Not NODELET_WARN_THROTTLE: that one counts for all nodelets of a manager together, and in ROS time.

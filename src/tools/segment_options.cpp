@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segment_options.hpp"
 
-#include <algorithm>
 #include <boost/program_options.hpp>
-#include <filesystem>
-#include <iterator>
 #include <sstream>
 
+#include "config_options.hpp"
 #include "objectness_segmentation/io/camera_yaml.hpp"
 #include "objectness_segmentation/io/config_yaml.hpp"
 
@@ -47,13 +45,9 @@ po::options_description shownOptions() {
   auto add = options.add_options();
   add("method", po::value<std::string>()->value_name("NAME")->default_value("paper"),
       "the method; there is only 'paper'");
-  add("config", po::value<std::string>()->value_name("FILE.yaml"), "preset of parameters (group: {field: value})");
-  add("set", po::value<std::vector<std::string>>()->value_name("NAME=VALUE")->composing(),
-      "set a parameter after the preset, as group.field=value; may be repeated, and more may follow each");
+  addConfigOptions(options);
   add("camera", po::value<std::string>()->value_name("CAMERA.yaml"),
       "the camera of .pcd files (otherwise recovered from the pixel grid) and of folders without camera.yaml");
-  add("threads", po::value<std::string>()->value_name("N"), "worker threads, 0: one per processor (runtime.threads)");
-  add("seed", po::value<std::string>()->value_name("N"), "seed of the selection (runtime.seed)");
   add("pictures", po::bool_switch(), "write DIR/NAME/overlay.png too");
   add("out", po::value<std::string>()->value_name("DIR"), "folder for the results, made when missing");
   add("list-parameters", po::bool_switch(), "print every parameter: name, type, default, least, largest, description");
@@ -75,20 +69,9 @@ po::variables_map parse(int argc, const char* const* argv) {
   return values;
 }
 
-/// group.field=value that is no file: what "--set A=1 B=2" leaves among the inputs.
-bool isAssignment(const std::string& text) {
-  const std::string name = text.substr(0, text.find('='));
-  std::error_code ignored;
-  return name.size() < text.size() && name.find('.') != std::string::npos && name.find('/') == std::string::npos &&
-         !std::filesystem::exists(text, ignored);
-}
-
 Result<SegmentOptions> interpret(const po::variables_map& values) {
   const auto text = [&](const char* name) {
     return values.count(name) ? values[name].as<std::string>() : std::string();
-  };
-  const auto list = [&](const char* name) {
-    return values.count(name) ? values[name].as<std::vector<std::string>>() : std::vector<std::string>();
   };
   const auto is_set = [&](const char* name) { return values[name].as<bool>(); };
 
@@ -105,22 +88,9 @@ Result<SegmentOptions> interpret(const po::variables_map& values) {
   }
   if (text("method") != "paper") return bad("--method " + text("method") + ": there is only the method 'paper'");
 
-  if (values.count("config")) {
-    const Status status = loadConfig(text("config"), options.value.config);
-    if (!status.ok()) return bad("--config " + text("config") + ": " + status.message);
-  }
-  std::vector<std::string> assignments = list("set");
-  std::vector<std::string> inputs = list("input");
-  if (!assignments.empty()) {
-    const auto first =
-        std::stable_partition(inputs.begin(), inputs.end(), [](const auto& i) { return !isAssignment(i); });
-    std::move(first, inputs.end(), std::back_inserter(assignments));
-    inputs.erase(first, inputs.end());
-  }
-  for (const char* name : {"threads", "seed"}) {
-    if (values.count(name)) assignments.push_back(std::string("runtime.") + name + "=" + text(name));
-  }
-  const Status status = setParameters(assignments, options.value.config);
+  std::vector<std::string> inputs =
+      values.count("input") ? values["input"].as<std::vector<std::string>>() : std::vector<std::string>();
+  const Status status = readConfigOptions(values, inputs, options.value.config);
   if (!status.ok()) return bad(status.message);
   if (is_set("print-config")) {
     options.value.print = toYaml(options.value.config);

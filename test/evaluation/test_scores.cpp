@@ -157,9 +157,9 @@ TEST(Scores, AgreeWithTheReferenceScorer) {
       const cv::Mat_<ushort> truth = cv::imread(folder / ("truth/" + name + "/labels.png"), cv::IMREAD_UNCHANGED);
       const cv::Mat_<ushort> labels = cv::imread(folder / ("found/" + name + "/labels.png"), cv::IMREAD_UNCHANGED);
       const Scores scores = scored(labels, truthAtLevel(truth, level));
-      Scores::fields(scores, [&, scene = name](const char* column, double value) {
-        if (!expected.count(column)) return;
-        EXPECT_NEAR(value, expected.at(column), 1e-4) << scene << " " << column << " " << toString(level);
+      Scores::fields(scores, [&, scene = name, reference = expected](const char* column, double value) {
+        if (!reference.count(column)) return;
+        EXPECT_NEAR(value, reference.at(column), 1e-4) << scene << " " << column << " " << toString(level);
         ++compared;
       });
     }

@@ -50,7 +50,7 @@ TEST(Tables, MeansMediansAndPeaksByGroup) {
   EXPECT_NE(toText(rows).find("paper      object     ALL"), std::string::npos) << toText(rows);
 }
 
-TEST(Tables, RecallIsOverObjectsAndTheBestBoxOverScenes) {
+TEST(Tables, ProposalsAreMeansOverTheScenesThatHaveThem) {
   ProposalFigures few, many;
   few.objects = 1;
   few.objectness.at_50[0] = 1;
@@ -59,7 +59,7 @@ TEST(Tables, RecallIsOverObjectsAndTheBestBoxOverScenes) {
   many.best_box_precision = 0.5;
   const Figures pooled = poolProposals({toFigures(few), {}, toFigures(many)});
   EXPECT_NEAR(value(pooled, "boxed_objects"), 10, 1e-12);
-  EXPECT_NEAR(value(pooled, "box50_1"), 0.1, 1e-12);
+  EXPECT_NEAR(value(pooled, "box50_1"), 0.5, 1e-12);
   EXPECT_NEAR(value(pooled, "best_P"), 0.75, 1e-12);
   EXPECT_TRUE(poolProposals({{}, {}}).empty());
 }

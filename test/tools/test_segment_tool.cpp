@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -8,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "fixtures/temporary_folder.hpp"
+#include "fixtures/tool_test.hpp"
 
 using namespace objectness_test;
 
@@ -16,34 +15,18 @@ namespace {
 
 const std::string kTools = TOOL_DIR;
 
-class SegmentTool : public testing::Test {
+class SegmentTool : public ToolTest {
  protected:
-  struct Outcome {
-    int exit_status;
-    std::string out, err;
-    long errorLines() const { return std::count(err.begin(), err.end(), '\n'); }
-  };
-
-  Outcome run(const std::string& arguments, const std::string& tool = "segment") const {
-    const std::string command =
-        kTools + "/" + tool + " " + arguments + " >" + (folder_ / "stdout") + " 2>" + (folder_ / "stderr");
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readBytes(folder_ / "stdout"), readBytes(folder_ / "stderr")};
+  Outcome run(const std::string& arguments) const { return ToolTest::run("segment", arguments); }
+  void expectUsageError(const std::string& arguments, const std::string& text) const {
+    ToolTest::expectUsageError("segment", arguments, text);
   }
   std::string makeScene(const std::string& name) const {
-    EXPECT_EQ(run("--out " + (folder_ / name), "make_demo_scene").exit_status, 0);
+    EXPECT_EQ(ToolTest::run("make_scene", "--demo --out " + (folder_ / name)).exit_status, 0);
     return folder_ / name;
-  }
-  void expectUsageError(const std::string& arguments, const std::string& text) const {
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.exit_status, 2) << arguments;
-    EXPECT_EQ(outcome.errorLines(), 1) << outcome.err;
-    EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
   }
   /// The coarse angles make it quick.
   std::string common() const { return " --set search.angle_step_deg=45 --out " + (folder_ / "out") + " "; }
-
-  TemporaryFolder folder_;
 };
 
 }  // namespace

@@ -17,7 +17,7 @@ using Figures = std::vector<std::pair<std::string, double>>;
 /// method's boxes, fixed50_N and fixed70_N of the fixed list.
 Figures toFigures(const ProposalFigures& proposals);
 
-/// Over scenes: boxed_objects summed up, recalls over all objects, the rest means over the scenes. Empty when all are.
+/// Over scenes: boxed_objects summed up, the rest means over the scenes that have figures. Empty when none has.
 Figures poolProposals(const std::vector<Figures>& scenes);
 
 }  // namespace objectness::evaluation

@@ -12,7 +12,8 @@ namespace objectness {
 struct ForestSettings {
   int trees = 60;
   int depth = 9;
-  int min_leaf_samples = 8;
+  int min_samples = 12;    ///< a node of fewer is not split
+  double cue_share = 0.4;  ///< of the cues tried at each node
   unsigned seed = 1;
 };
 

@@ -12,7 +12,7 @@ struct TrainingConfig {
   double min_purity = 0.85;       ///< pieces of which less belongs to one object teach nothing about pairs
   int max_groups_per_scene = 60;  ///< so that a crowded scene does not outweigh all others
 
-  ForestSettings contact{30, 8, 20, 1}, gap{30, 8, 20, 1}, group{50, 9, 20, 1};
+  ForestSettings contact{40, 8, 10}, gap{40, 8, 10}, group{50, 9, 15};
 };
 
 /// What a scene with known objects looks like to the bottom-up method.

@@ -13,6 +13,27 @@ constexpr char kSegments[] = "segments";
 constexpr char kMarkers[] = "markers";
 }  // namespace topics
 
+/// Of a simulated camera in a bag: those of a driver, and the truth.
+namespace bag_topics {
+constexpr char kPoints[] = "/camera/depth_registered/points";
+constexpr char kCameraInfo[] = "/camera/depth_registered/camera_info";
+constexpr char kColor[] = "/camera/rgb/image_rect_color";
+constexpr char kTransforms[] = "/tf";
+constexpr char kStaticTransforms[] = "/tf_static";
+constexpr char kTrueLabels[] = "/truth/labels";
+constexpr char kTrueObjects[] = "/truth/objects";
+}  // namespace bag_topics
+
+/// Frames of a simulated camera.
+namespace frames {
+constexpr char kWorld[] = "world";
+constexpr char kCameraBody[] = "camera_link";
+constexpr char kCameraOptical[] = "camera_optical_frame";
+}  // namespace frames
+
+/// The node's name where nobody gave another one.
+constexpr char kNodeName[] = "segment_objects";
+
 /// Only the newest result matters to a subscriber.
 constexpr int kPublisherQueueSize = 1;
 /// Default of ~queue_size: clouds and camera_infos that wait for their partner.

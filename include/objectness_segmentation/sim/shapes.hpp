@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <opencv2/core.hpp>
+#include <limits>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -12,6 +12,8 @@ namespace objectness::sim {
 /// Points origin + t * direction, t > 0; direction of any length.
 struct Ray {
   Eigen::Vector3d origin, direction;
+
+  Eigen::Vector3d at(double t) const { return origin + t * direction; }
 };
 
 struct Hit {
@@ -19,48 +21,44 @@ struct Hit {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit, towards the ray's origin
 };
 
-// Shapes stand on z = 0 of their own frame, centred on its z axis; metres.
+// Solid shapes in frames of their own; metres.
 
+/// Stands on z = 0, centred on the z axis.
 struct Box {
   Eigen::Vector3d size;
 };
 
-/// Closed at both ends.
-struct Cylinder {
-  double radius, height;
+/// A corner of a profile, and how the profile gets there from the corner before.
+struct Corner {
+  static constexpr double kStraight = std::numeric_limits<double>::quiet_NaN();
+
+  double r, z;  ///< distance from the axis, height
+  double sphere_z =
+      kStraight;  ///< height of the centre of the sphere whose surface leads here; its centre is on the axis
 };
 
-/// Open at the top: what lies between two spheres about a centre on the z axis, cut off at the rim and flat at the
-/// foot.
-struct Bowl {
-  double radius, height, thickness;  ///< of the outer sphere; of the rim over the foot; of the wall
-  double centre_z;                   ///< of both spheres; less than radius, so that the foot is flat
+/// A solid of revolution about the z axis. The profile leads from the axis at the bottom around the outside back to the
+/// axis: at the top, or for what is open down along the inside again. See profiles.hpp for cylinders, bowls and such.
+struct Revolution {
+  std::vector<Corner> profile;
 };
 
-using Shape = std::variant<Box, Cylinder, Bowl>;
-
-/// The first point of the shape's surface on the ray, in the shape's own frame.
-std::optional<Hit> intersect(const Box& box, const Ray& ray);
-std::optional<Hit> intersect(const Cylinder& cylinder, const Ray& ray);
-std::optional<Hit> intersect(const Bowl& bowl, const Ray& ray);
-
-/// A shape in the world.
-struct Body {
-  Shape shape;
-  Eigen::Isometry3d T_world_body = Eigen::Isometry3d::Identity();
-  cv::Vec3b color;   ///< BGR
-  ushort label = 0;  ///< in true label images: 0 void, 1 table, 20, 30, ... objects
+/// All points within `radius` of a chain of straight lines: a bent rod with round ends.
+struct Tube {
+  std::vector<Eigen::Vector3d> path;
+  double radius;
 };
 
-struct SceneHit {
-  Hit hit;  ///< world frame
-  const Body* body = nullptr;
-};
+using Shape = std::variant<Box, Revolution, Tube>;
 
-/// The first body on a ray of the world frame; body is null when there is none.
-SceneHit castRay(const std::vector<Body>& bodies, const Ray& ray);
+/// The first point of the shape's surface on the ray, in the shape's own frame. Exact: every surface is a plane, a
+/// sphere, a cylinder or a cone, so that t is the root of a linear or quadratic equation.
+std::optional<Hit> intersect(const Shape& shape, const Ray& ray);
 
-/// Whether anything lies between two points of the world frame.
-bool isBlocked(const std::vector<Body>& bodies, const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+/// Whether a point of the shape's own frame lies in its solid.
+bool inside(const Shape& shape, const Eigen::Vector3d& point);
+
+/// The smallest axis-aligned box about the shape, in its own frame.
+Eigen::AlignedBox3d bounds(const Shape& shape);
 
 }  // namespace objectness::sim

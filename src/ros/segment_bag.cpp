@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "objectness_segmentation/ros/segment_bag.hpp"
+
+#include <chrono>
+
+#include "objectness_segmentation/ros/output_messages.hpp"
+#include "objectness_segmentation/ros/topics.hpp"
+
+namespace objectness_segmentation {
+namespace {
+
+void write(const OutputMessages& messages, const ros::Time& time, BagOutput& output) {
+  const std::string node = std::string("/") + kNodeName + "/";
+  output.write(node + topics::kObjects, time, *messages.objects());
+  output.write(node + topics::kSegments, time, *messages.segments());
+  output.write(node + topics::kMarkers, time, *messages.markers());
+}
+
+}  // namespace
+
+SegmentBagReport segmentBag(const BagInput& input, const SegmentBagSettings& settings, BagOutput& output,
+                            const std::function<void(const BagFrame&)>& on_frame) {
+  SegmentBagReport report;
+  std::size_t number = 0;
+  const auto answer = [&](const InputMessages& messages, const ros::Time& recorded) {
+    ++number;
+    if (!messages.camera_info) {
+      ++report.without_camera;
+      return true;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    const SegmentedFrame result = segmentMessages(messages, settings.config, settings.cancel);
+    if (settings.cancel && *settings.cancel) return false;
+    const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
+
+    const std_msgs::Header& header = messages.cloud->header;
+    write(OutputMessages(result, header, {}), header.stamp.isZero() ? recorded : header.stamp, output);
+    if (!output.status().ok()) return false;
+    ++report.answered;
+    const objectness::Status& status = result.segmentation.status;
+    if (!status.ok()) ++report.not_segmented;
+    on_frame({number, header.stamp, status, result.segmentation.segments.size(), elapsed.count()});
+    return true;
+  };
+  report.status = input.forEachCloud(settings.approximate_sync, answer);
+  return report;
+}
+
+}  // namespace objectness_segmentation

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "objectness_segmentation/sim/levels.hpp"
+#include "objectness_segmentation/sim/room.hpp"
+#include "viewpoint.hpp"
+
+namespace objectness::sim {
+
+/// Where things are put: on the table, within a disc, in view.
+struct Area {
+  TableSize table;
+  Viewpoint viewpoint;
+  PinholeCamera camera;
+  double radius_m;  ///< about viewpoint.target, for what stands apart
+};
+
+/// Puts down `count` things one after the other as the level asks. Fewer when there was no room for more, or none for
+/// the second that makes the level what it is.
+std::vector<Placed> arrange(const Level& level, int count, const Area& area, Random& random);
+
+}  // namespace objectness::sim

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "config_options.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+
+#include "objectness_segmentation/io/config_yaml.hpp"
+
+namespace objectness {
+namespace {
+
+namespace po = boost::program_options;
+
+/// group.field=value that is no file: what "--set A=1 B=2" leaves among the inputs.
+bool isAssignment(const std::string& text) {
+  const std::string name = text.substr(0, text.find('='));
+  std::error_code ignored;
+  return name.size() < text.size() && name.find('.') != std::string::npos && name.find('/') == std::string::npos &&
+         !std::filesystem::exists(text, ignored);
+}
+
+}  // namespace
+
+void addConfigOptions(po::options_description& options) {
+  auto add = options.add_options();
+  add("config", po::value<std::string>()->value_name("FILE.yaml"), "preset of parameters (group: {field: value})");
+  add("set", po::value<std::vector<std::string>>()->value_name("NAME=VALUE")->composing(),
+      "set a parameter after the preset, as group.field=value; may be repeated, and more may follow each");
+  add("threads", po::value<std::string>()->value_name("N"), "worker threads, 0: one per processor (runtime.threads)");
+  add("seed", po::value<std::string>()->value_name("N"), "seed of the selection (runtime.seed)");
+}
+
+Status readConfigOptions(const po::variables_map& values, std::vector<std::string>& inputs, Config& config) {
+  if (values.count("config")) {
+    const auto path = values["config"].as<std::string>();
+    const Status status = loadConfig(path, config);
+    if (!status.ok()) return Status::error(StatusCode::kBadConfig, "--config " + path + ": " + status.message);
+  }
+  std::vector<std::string> assignments;
+  if (values.count("set")) {
+    assignments = values["set"].as<std::vector<std::string>>();
+    const auto first =
+        std::stable_partition(inputs.begin(), inputs.end(), [](const auto& i) { return !isAssignment(i); });
+    std::move(first, inputs.end(), std::back_inserter(assignments));
+    inputs.erase(first, inputs.end());
+  }
+  for (const char* name : {"threads", "seed"}) {
+    if (values.count(name))
+      assignments.push_back(std::string("runtime.") + name + "=" + values[name].as<std::string>());
+  }
+  return setParameters(assignments, config);
+}
+
+}  // namespace objectness

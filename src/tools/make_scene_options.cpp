@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "make_scene_options.hpp"
+
+#include <boost/program_options.hpp>
+#include <sstream>
+
+#include "objectness_segmentation/io/camera_yaml.hpp"
+#include "objectness_segmentation/sim/scene_generator.hpp"
+
+namespace objectness::sim {
+namespace {
+
+namespace po = boost::program_options;
+using Options = Result<MakeSceneOptions>;
+
+constexpr int kMaxCount = 1000000;  // folders are numbered
+constexpr int kMaxSide_px = 4096;
+constexpr double kMinRate_hz = 0.01, kMaxRate_hz = 1000;
+
+constexpr const char* kIntroduction =
+    "Simulates a depth camera that looks at things on a table, and writes what it sees with the truth about it.\n"
+    "\n"
+    "  make_scene --demo | --level NAME|all [OPTION...] --out DIR | --bag FILE.bag\n"
+    "\n"
+    "A scene is a folder: depth.png (16-bit millimetres), color.png, camera.yaml, labels.png (0 void, 1 table,\n"
+    "20, 30, ... objects), objects.yaml (table, and of each object kind, extent in the picture, visible share, pose "
+    "and\n"
+    "size) and pose.yaml (of the camera). A bag has the topics of a camera driver, and the truth on /truth/labels and\n"
+    "/truth/objects. The same options give the same files.\n"
+    "\n";
+
+constexpr const char* kExamples =
+    "\n"
+    "Examples:\n"
+    "  make_scene --demo --out scene\n"
+    "  make_scene --level all --count 25 --out scenes\n"
+    "  make_scene --level clutter --objects 12 --table round:1.1x0.72 --seed 7 --frames 60 --out sequence\n"
+    "  make_scene --demo --frames 30 --rate 10 --bag demo.bag\n"
+    "\n"
+    "Exit status: 0 everything written, 1 some scene could not be made or written, 2 wrong command line.\n";
+
+Options bad(const std::string& message) { return Options::error(StatusCode::kBadConfig, message); }
+
+po::options_description shownOptions() {
+  po::options_description options("Options");
+  auto add = options.add_options();
+  const auto text = [](const char* name) { return po::value<std::string>()->value_name(name); };
+  const auto number = [] { return po::value<long>()->value_name("N"); };
+  add("demo", po::bool_switch(), "the built-in scene; the seed moves its objects a little");
+  add("level", text("NAME"), "how difficult the scene is (--list), or all levels");
+  add("list", po::bool_switch(), "print the levels, from easy to hard");
+  add("objects", number(), "how many objects, 0 to 20 (otherwise drawn at random)");
+  add("seed", number(), "another seed, other scenes (1)");
+  add("count", number(), "N scenes a level: DIR/LEVEL_0000, ... and their groups in DIR/groups.csv");
+  add("frames", number(), "N frames of a camera that swings around the scene: DIR/frame_0000, ..., or one bag");
+  add("rate", po::value<double>()->value_name("HZ"), "frames of a bag a second (10)");
+  add("ideal", po::bool_switch(), "a depth camera without noise, steps, shadows or limits");
+  add("camera", text("CAMERA.yaml"), "the camera's intrinsics (640 x 480, f = 525)");
+  add("size", text("WIDTHxHEIGHT"), "scale the camera to another image width; the height is cut or grows");
+  add("table", text("SIZE"), "metres: WIDTHxDEPTHxHEIGHT or round:DIAMETERxHEIGHT (otherwise drawn at random)");
+  add("table-share", po::value<double>()->value_name("X"),
+      "least share of the picture that table and objects fill, 0 to 0.9 (0.4); less means more floor");
+  add("out", text("DIR"), "folder for the scene or scenes, made when missing");
+  add("bag", text("FILE.bag"), "the scene as a recording, replaced when it exists");
+  add("help,h", po::bool_switch(), "print this");
+  return options;
+}
+
+std::string listLevels() {
+  std::ostringstream list;
+  for (const Level& level : levels()) {
+    list << level.name << '\t' << level.min_objects << '-' << level.max_objects << '\t' << level.description << '\n';
+  }
+  return list.str();
+}
+
+/// The option's number in `value` if it was given and is in range; otherwise a message.
+template <class Number>
+std::string readNumber(const po::variables_map& values, const char* name, long least, long most, Number& value) {
+  if (!values.count(name)) return "";
+  const long given = values[name].as<long>();
+  if (given < least || given > most) {
+    return "--" + std::string(name) + " " + std::to_string(given) + ": must be " + std::to_string(least) + " to " +
+           std::to_string(most);
+  }
+  value = static_cast<std::uint32_t>(given);
+  return "";
+}
+
+/// The same lens on a sensor of another size.
+Result<PinholeCamera> resize(const PinholeCamera& camera, const std::string& text) {
+  std::istringstream in(text);
+  int width = 0, height = 0;
+  char x = 0;
+  in >> width >> x >> height;
+  if (!in || !(in >> std::ws).eof() || x != 'x' || width < 32 || height < 32 || width > kMaxSide_px ||
+      height > kMaxSide_px) {
+    return Result<PinholeCamera>::error(StatusCode::kBadConfig,
+                                        "--size " + text + ": must be WIDTHxHEIGHT, 32 to 4096 pixels each");
+  }
+  const double scale = static_cast<double>(width) / camera.width;
+  return {{},
+          {camera.fx * scale, camera.fy * scale, (camera.cx + 0.5) * scale - 0.5,
+           (camera.cy + 0.5 - camera.height / 2.0) * scale + height / 2.0 - 0.5, width, height}};
+}
+
+Options interpret(const po::variables_map& values) {
+  const auto text = [&](const char* name) {
+    return values.count(name) ? values[name].as<std::string>() : std::string();
+  };
+  Options options;
+  MakeSceneOptions& o = options.value;
+  if (values["help"].as<bool>()) {
+    std::ostringstream help;
+    help << kIntroduction << shownOptions() << kExamples;
+    o.print = help.str();
+    return options;
+  }
+  if (values["list"].as<bool>()) {
+    o.print = listLevels();
+    return options;
+  }
+  const bool demo = values["demo"].as<bool>(), all = text("level") == "all";
+  if (demo == (values.count("level") > 0)) return bad("give either --demo or --level NAME");
+  if (all) {
+    for (const Level& level : levels()) o.levels.push_back(level.name);
+  } else if (!demo) {
+    if (!findLevel(text("level"))) return bad("--level " + text("level") + ": must be all, " + levelNames());
+    o.levels.push_back(text("level"));
+  }
+  for (const std::string& problem :
+       {readNumber(values, "objects", 0, kMaxObjects, o.objects), readNumber(values, "count", 1, kMaxCount, o.count),
+        readNumber(values, "frames", 1, kMaxCount, o.frames), readNumber(values, "seed", 0, 4294967295, o.seed)}) {
+    if (!problem.empty()) return bad(problem);
+  }
+  if (demo && (o.objects || o.count || values.count("table") || values.count("table-share"))) {
+    return bad("--objects, --count, --table and --table-share belong to --level: the demo scene has its own");
+  }
+  if (all && !o.count) return bad("--level all needs --count N: how many scenes of each level?");
+  if (o.count && o.frames) return bad("--count and --frames exclude each other: a sequence is of one scene");
+  if (values.count("table")) {
+    const Result<TableSize> table = parseTable(text("table"));
+    if (!table.ok()) return bad("--table: " + table.status.message);
+    o.table = table.value;
+  }
+  if (values.count("table-share")) {
+    o.table_share = values["table-share"].as<double>();
+    if (!(*o.table_share >= 0 && *o.table_share <= 0.9)) return bad("--table-share must be 0 to 0.9");
+  }
+  if (values.count("camera")) {
+    const Result<PinholeCamera> camera = loadCamera(text("camera"));
+    if (!camera.ok()) return bad("--camera " + text("camera") + ": " + camera.status.message);
+    o.sensor.camera = camera.value;
+  }
+  if (values.count("size")) {
+    const Result<PinholeCamera> camera = resize(o.sensor.camera, text("size"));
+    if (!camera.ok()) return bad(camera.status.message);
+    o.sensor.camera = camera.value;
+  }
+  o.sensor.ideal = values["ideal"].as<bool>();
+  if (values.count("rate")) o.rate_hz = values["rate"].as<double>();
+  if (!(o.rate_hz >= kMinRate_hz && o.rate_hz <= kMaxRate_hz)) return bad("--rate: must be 0.01 to 1000 Hz");
+  o.out = text("out");
+  o.bag = text("bag");
+  if (o.out.empty() && o.bag.empty()) return bad("neither --out DIR nor --bag FILE given: where shall the scene go?");
+  if (o.count && !o.bag.empty()) return bad("--count and --bag exclude each other: a bag is of one scene");
+  if (values.count("rate") && o.bag.empty()) return bad("--rate belongs to --bag");
+  return options;
+}
+
+}  // namespace
+
+Result<MakeSceneOptions> parseMakeSceneOptions(int argc, const char* const* argv) {
+  try {
+    // Abbreviated options would change their meaning when an option is added.
+    const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
+    po::variables_map values;
+    po::store(po::command_line_parser(argc, argv).options(shownOptions()).positional({}).style(style).run(), values);
+    po::notify(values);
+    return interpret(values);
+  } catch (const po::error& e) {
+    return bad(e.what());
+  }
+}
+
+}  // namespace objectness::sim

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <new>
+
+#include "fixtures/labelled_scene.hpp"
+#include "fixtures/temporary_folder.hpp"
+#include "objectness_segmentation/evaluation/experiment.hpp"
+
+using namespace objectness;
+using namespace objectness::evaluation;
+using namespace objectness_test;
+using State = SceneResult::State;
+
+namespace {
+
+/// Labels everything as one segment.
+Segmentation oneSegment(const Frame& frame) {
+  Segmentation result;
+  result.labels = cv::Mat_<ushort>(frame.height(), frame.width(), ushort{2});
+  result.segments.resize(1);
+  result.report.timings_ms = {{"total", 5}};
+  return result;
+}
+
+Method method(const std::string& name, const std::function<Segmentation(const Frame&)>& run) {
+  return {name, "", name, run};
+}
+
+class Experiment : public testing::Test {
+ protected:
+  void SetUp() override { saveLabelledScene(scene_.folder, 0.05); }
+  std::vector<SceneResult> run(const std::vector<Method>& methods) {
+    computed_ = 0;
+    const auto results = runExperiment(folder_ / "report", {scene_}, methods, 2,
+                                       [&](const Progress& progress) { computed_ = progress.computed; });
+    EXPECT_TRUE(results.ok()) << results.status.message;
+    return results.value;
+  }
+
+  TemporaryFolder folder_;
+  evaluation::Scene scene_{"scene", folder_ / "scene"};
+  int computed_ = 0;
+};
+
+}  // namespace
+
+TEST_F(Experiment, AMethodThatDiesCostsOnlyItself) {
+  const std::vector<Method> methods{
+      method("crash",
+             [](const Frame&) -> Segmentation {
+               raise(SIGSEGV);
+               return {};
+             }),
+      method("good", oneSegment),
+      method("hungry", [](const Frame&) -> Segmentation { throw std::bad_alloc(); }),
+      method("throws", [](const Frame&) -> Segmentation { throw std::runtime_error("no idea"); }),
+      method("refuses",
+             [](const Frame&) {
+               Segmentation s;
+               s.status = Status::error(StatusCode::kNoTable, "no table");
+               return s;
+             }),
+      method("odd", [](const Frame&) { return Segmentation{}; }),
+  };
+  const auto results = run(methods);
+  ASSERT_EQ(results.size(), methods.size());
+  const char* const problems[] = {"signal 11", "",         "needs more memory than there is",
+                                  "no idea",   "no table", "labels of another size"};
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    EXPECT_EQ(results[i].method, methods[i].name);
+    EXPECT_EQ(results[i].state, methods[i].name == "good" ? State::kDone : State::kFailed);
+    EXPECT_NE(results[i].problem.find(problems[i]), std::string::npos) << results[i].problem;
+    ASSERT_TRUE(results[i].object.has_value());
+    EXPECT_EQ(results[i].object->recall, methods[i].name == "good" ? 1 : 0) << methods[i].name;
+  }
+  EXPECT_EQ(results[1].segments, 1);
+  EXPECT_EQ(results[1].totalMs(), 5.0);
+
+  run(methods);
+  EXPECT_EQ(computed_, 5);  // what failed is tried again
+}
+
+TEST_F(Experiment, PeakMemoryIsThatOfEachMethod) {
+  constexpr std::size_t kMib = 1 << 20;
+  const auto results = run({method("large",
+                                   [](const Frame& frame) {
+                                     std::vector<char> memory(200 * kMib);
+                                     for (std::size_t i = 0; i < memory.size(); i += 4096) {
+                                       static_cast<volatile char*>(memory.data())[i] = 1;
+                                     }
+                                     return oneSegment(frame);
+                                   }),
+                            method("small", oneSegment)});
+  EXPECT_GT(results[0].peak_mib, 200);
+  EXPECT_LT(results[1].peak_mib, results[0].peak_mib - 150);
+}
+
+TEST_F(Experiment, AScenesFilesAndTheSettingsDecideAboutARerun) {
+  Method same = method("good", oneSegment);
+  run({same});
+  EXPECT_EQ(computed_, 1);
+  run({same});
+  EXPECT_EQ(computed_, 0);
+  same.settings = "other";
+  run({same});
+  EXPECT_EQ(computed_, 1);
+  saveLabelledScene(scene_.folder, 0.06);
+  run({same});
+  EXPECT_EQ(computed_, 1);
+}
+
+TEST_F(Experiment, ASceneWithoutObjectsIsNotScored) {
+  SceneImages images;
+  images.camera = {262.5, 262.5, 159.5, 119.5, 320, 240};
+  images.depth_mm = cv::Mat_<ushort>(240, 320, ushort{900});
+  images.true_labels = cv::Mat_<ushort>(240, 320, ushort{1});
+  ASSERT_TRUE(saveSceneFolder(scene_.folder, images).ok());
+  const auto results = run({method("good", oneSegment)});
+  EXPECT_EQ(results[0].state, State::kDone);
+  EXPECT_FALSE(results[0].object.has_value());
+}

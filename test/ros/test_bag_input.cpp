@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <std_msgs/String.h>
+
+#include "fixtures/bag_files.hpp"
+#include "fixtures/ros_messages.hpp"
+#include "fixtures/temporary_folder.hpp"
+#include "objectness_segmentation/ros/bag_input.hpp"
+#include "objectness_segmentation/ros/scene_messages.hpp"
+
+namespace {
+
+using namespace objectness_segmentation;
+using namespace objectness_test;
+
+class Bags : public testing::Test {
+ protected:
+  /// So many clouds, organized or not, on a topic.
+  void addClouds(const std::string& topic, int count, bool organized = true) {
+    sensor_msgs::PointCloud2 cloud = toCloudMessage(makeSmallFrame(), makeHeader());
+    if (!organized) {
+      cloud.width *= cloud.height;
+      cloud.height = 1;
+      cloud.row_step = cloud.width * cloud.point_step;
+    }
+    for (int i = 0; i < count; ++i) bag_.write(topic, ros::Time(1 + i), cloud);
+  }
+  void addCamera(const std::string& topic) {
+    bag_.write(topic, ros::Time(1), toCameraInfo(makeSmallFrame().camera, makeHeader()));
+  }
+  void addText(const std::string& topic) { bag_.write(topic, ros::Time(1), std_msgs::String()); }
+
+  objectness::Result<InputTopics> choose(const InputTopics& wanted = {}) {
+    bag_.close();
+    const auto input = BagInput::open(path_, wanted);
+    if (!input.ok()) return objectness::Result<InputTopics>::error(input.status);
+    return {{}, input.value->topics()};
+  }
+  void expectError(const objectness::Status& status, const std::vector<std::string>& texts) const {
+    EXPECT_EQ(status.code, objectness::StatusCode::kBadInput);
+    for (const std::string& text : texts) EXPECT_NE(status.message.find(text), std::string::npos) << status.message;
+  }
+
+  TemporaryFolder folder_;
+  std::string path_ = folder_ / "in.bag";
+  rosbag::Bag bag_{path_, rosbag::bagmode::Write};
+};
+
+TEST_F(Bags, TopicsAreFound) {
+  addClouds("/left/depth/points", 2);
+  addClouds("/right/depth/points", 3);
+  addClouds("/lidar/points", 9, false);
+  addCamera("/left/depth/camera_info");
+  addCamera("/right/depth/camera_info");
+  addCamera("/right/rgb/camera_info");
+  const auto topics = choose();
+  ASSERT_TRUE(topics.ok()) << topics.status.message;
+  EXPECT_EQ(topics.value.points, "/right/depth/points");
+  EXPECT_EQ(topics.value.camera_info, "/right/depth/camera_info");
+}
+
+TEST_F(Bags, TopicsAreThoseThatAreGiven) {
+  addClouds("/a/points", 2);
+  addClouds("/b/points", 1, false);
+  addCamera("/a/camera_info");
+  addCamera("/b/camera_info");
+  const auto topics = choose({"/b/points", "/a/camera_info"});
+  ASSERT_TRUE(topics.ok()) << topics.status.message;
+  EXPECT_EQ(topics.value.points, "/b/points");
+  EXPECT_EQ(topics.value.camera_info, "/a/camera_info");
+}
+
+TEST_F(Bags, WithoutCloudsAreNamedWithWhatTheyHold) {
+  addText("/chatter");
+  addCamera("/camera_info");
+  expectError(choose().status, {"no sensor_msgs/PointCloud2 on any topic", "/chatter (std_msgs/String, 1)",
+                                "/camera_info (sensor_msgs/CameraInfo, 1)"});
+}
+
+TEST_F(Bags, WithoutCamera) {
+  addClouds("/points", 4);
+  expectError(choose().status, {"no sensor_msgs/CameraInfo on any topic", "/points (sensor_msgs/PointCloud2, 4)"});
+}
+
+TEST_F(Bags, WithoutMessages) { expectError(choose().status, {"no sensor_msgs/PointCloud2", "no messages"}); }
+
+TEST_F(Bags, WithoutTheTopicThatIsGiven) {
+  addClouds("/points", 1);
+  addCamera("/camera_info");
+  expectError(choose({"/camera_info", ""}).status, {"no sensor_msgs/PointCloud2 on /camera_info", "/points"});
+}
+
+TEST_F(Bags, OfListsOfPoints) {
+  addClouds("/lidar", 1, false);
+  addCamera("/camera_info");
+  expectError(choose().status, {"not organized", "/lidar (sensor_msgs/PointCloud2, 1)"});
+}
+
+TEST_F(Bags, ThatAreNone) {
+  bag_.close();
+  expectError(BagInput::open(folder_ / "none.bag", {}).status, {"no such file"});
+  expectError(BagInput::open(folder_.path(), {}).status, {"is a folder"});
+  writeBytes(path_, "");
+  expectError(BagInput::open(path_, {}).status, {"is no bag of ROS 1"});
+  writeBytes(path_, "SQLite format 3, as bags of ROS 2 are");
+  expectError(BagInput::open(path_, {}).status, {"is no bag of ROS 1"});
+}
+
+TEST_F(Bags, CutOff) {
+  addClouds("/points", 50);
+  addCamera("/camera_info");
+  bag_.close();
+  const std::string whole = readBytes(path_);
+  for (const double share : {0.001, 0.01, 0.5, 0.9, 0.999}) {
+    writeBytes(path_, whole.substr(0, static_cast<std::size_t>(share * whole.size())));
+    expectError(BagInput::open(path_, {}).status, {"is damaged or cut off: "});
+  }
+}
+
+TEST_F(Bags, WhoseRecordingWasBrokenOff) {
+  addClouds("/points", 500);
+  // Still open: the head knows of no index yet.
+  const std::string copy = folder_ / "copy.bag";
+  std::filesystem::copy_file(path_, copy);
+  expectError(BagInput::open(copy, {}).status, {"has no index", "rosbag reindex"});
+}
+
+}  // namespace

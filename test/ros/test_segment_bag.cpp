@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "fixtures/bag_files.hpp"
+#include "fixtures/ros_messages.hpp"
+#include "fixtures/small_scene.hpp"
+#include "fixtures/temporary_folder.hpp"
+#include "objectness_segmentation/ros/output_conversions.hpp"
+#include "objectness_segmentation/ros/scene_bag_writer.hpp"
+#include "objectness_segmentation/ros/scene_messages.hpp"
+#include "objectness_segmentation/ros/segment_bag.hpp"
+#include "objectness_segmentation/ros/topics.hpp"
+
+namespace {
+
+using namespace objectness_segmentation;
+using namespace objectness_test;
+using objectness::StatusCode;
+
+class SegmentBag : public testing::Test {
+ protected:
+  SegmentBag() { settings_.config.search.angle_step_deg = 30; }
+
+  void writeScenes(int frames) const {
+    SceneBagSettings settings;
+    settings.sensor = smallSensor();
+    settings.frames = frames;
+    ASSERT_TRUE(writeSceneBag(in_, smallScene(), settings).ok());
+  }
+
+  /// Clouds of a flat nothing and their cameras at these stamps.
+  void writePlain(const std::vector<double>& clouds, const std::vector<double>& cameras) const {
+    const objectness::Frame frame = makeSmallFrame();
+    rosbag::Bag bag(in_, rosbag::bagmode::Write);
+    for (const double stamp : clouds) bag.write("points", recorded_, toCloudMessage(frame, makeHeader(stamp)));
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+      objectness::PinholeCamera camera = frame.camera;
+      camera.fx += static_cast<double>(i);  // to tell them apart
+      bag.write("camera_info", recorded_, toCameraInfo(camera, makeHeader(cameras[i])));
+    }
+  }
+
+  /// Index of the camera_info that each cloud gets, -1 for none.
+  std::vector<int> pairs(bool approximate) const {
+    const auto input = BagInput::open(in_, {});
+    EXPECT_TRUE(input.ok()) << input.status.message;
+    std::vector<int> cameras;
+    const auto status = input.value->forEachCloud(approximate, [&](const InputMessages& messages, const ros::Time&) {
+      const auto& camera = messages.camera_info;
+      cameras.push_back(camera ? static_cast<int>(camera->K[0] - makeSmallFrame().camera.fx) : -1);
+      return true;
+    });
+    EXPECT_TRUE(status.ok()) << status.message;
+    return cameras;
+  }
+
+  SegmentBagReport segment(const std::string& out) {
+    const auto input = BagInput::open(in_, {});
+    EXPECT_TRUE(input.ok()) << input.status.message;
+    BagOutput output(out);
+    frames_.clear();
+    const auto report =
+        segmentBag(*input.value, settings_, output, [this](const BagFrame& frame) { frames_.push_back(frame); });
+    EXPECT_TRUE(output.close().ok());
+    return report;
+  }
+
+  TemporaryFolder folder_;
+  std::string in_ = folder_ / "in.bag", out_ = folder_ / "out.bag";
+  const ros::Time recorded_{77};
+  SegmentBagSettings settings_;
+  std::vector<BagFrame> frames_;
+};
+
+TEST_F(SegmentBag, WritesWhatTheNodeletPublishes) {
+  writeScenes(2);
+  const SegmentBagReport report = segment(out_);
+  EXPECT_TRUE(report.status.ok()) << report.status.message;
+  EXPECT_EQ(report.answered, 2u);
+  EXPECT_EQ(report.not_segmented + report.without_camera, 0u);
+  const auto clouds = readAll<sensor_msgs::PointCloud2>(in_, bag_topics::kPoints);
+  const auto cameras = readAll<sensor_msgs::CameraInfo>(in_, bag_topics::kCameraInfo);
+  const auto objects = readAll<SegmentedObjectArray>(out_, "/segment_objects/objects");
+  const auto segments = readAll<sensor_msgs::PointCloud2>(out_, "/segment_objects/segments");
+  const auto markers = readAll<visualization_msgs::MarkerArray>(out_, "/segment_objects/markers");
+  ASSERT_EQ(clouds.size(), 2u);
+  ASSERT_EQ(objects.size(), 2u);
+  ASSERT_EQ(segments.size(), 2u);
+  ASSERT_EQ(markers.size(), 2u);
+  for (std::size_t i = 0; i < clouds.size(); ++i) {
+    const SegmentedFrame result = segmentMessages({clouds[i], cameras[i]}, settings_.config, nullptr);
+    const std_msgs::Header& header = clouds[i]->header;
+    EXPECT_EQ(result.segmentation.segments.size(), 2u);
+    EXPECT_EQ(serialized(*objects[i]), serialized(toObjectsMessage(result.segmentation, result.frame, header)));
+    EXPECT_EQ(serialized(*segments[i]), serialized(toSegmentsCloud(result.segmentation, result.frame, header)));
+    EXPECT_EQ(serialized(*markers[i]), serialized(toMarkers(result.segmentation, header)));
+    EXPECT_EQ(frames_[i].number, i + 1);
+    EXPECT_EQ(frames_[i].stamp, header.stamp);
+    EXPECT_EQ(frames_[i].objects, 2u);
+  }
+  const rosbag::Bag bag(out_);
+  rosbag::View view(bag);
+  EXPECT_EQ(view.size(), 6u);
+  for (const rosbag::MessageInstance& entry : view) {
+    EXPECT_TRUE(entry.getTime() == clouds[0]->header.stamp || entry.getTime() == clouds[1]->header.stamp);
+  }
+}
+
+TEST_F(SegmentBag, GivesTheSameBytesWithAnyNumberOfThreads) {
+  writeScenes(2);
+  settings_.config.runtime.threads = 1;
+  segment(out_);
+  settings_.config.runtime.threads = 3;
+  segment(folder_ / "again.bag");
+  EXPECT_EQ(readBytes(out_), readBytes(folder_ / "again.bag"));
+}
+
+TEST_F(SegmentBag, PairsEqualStamps) {
+  writePlain({1.0, 1.1, 1.2}, {1.2, 1.05, 1.0});
+  EXPECT_EQ(pairs(false), (std::vector<int>{2, -1, 0}));
+  const SegmentBagReport report = segment(out_);
+  EXPECT_EQ(report.answered, 2u);
+  EXPECT_EQ(report.without_camera, 1u);
+}
+
+TEST_F(SegmentBag, PairsNearestStampsWhenAsked) {
+  writePlain({0.2, 1.125, 1.3, 1.25, 9}, {1.0, 1.25, 1.5});
+  EXPECT_EQ(pairs(true), (std::vector<int>{0, 0, 1, 1, 2}));
+}
+
+TEST_F(SegmentBag, AnswersCloudsThatCannotBeSegmented) {
+  writePlain({1.0, 0.0}, {1.0, 0.0});
+  const SegmentBagReport report = segment(out_);
+  EXPECT_EQ(report.answered, 2u);
+  EXPECT_EQ(report.not_segmented, 2u);
+  const auto objects = readAll<SegmentedObjectArray>(out_, "/segment_objects/objects");
+  ASSERT_EQ(objects.size(), 2u);
+  for (const auto& message : objects) {
+    EXPECT_NE(message->status, SegmentedObjectArray::OK);
+    EXPECT_FALSE(message->message.empty());
+  }
+  // A bag has no place for the time 0: that of the recording stands for it.
+  const rosbag::Bag bag(out_);
+  rosbag::View view(bag);
+  EXPECT_EQ(view.getEndTime(), recorded_);
+}
+
+TEST_F(SegmentBag, EndsWhenCancelled) {
+  writeScenes(3);
+  std::atomic<bool> cancel{false};
+  settings_.cancel = &cancel;
+  const auto input = BagInput::open(in_, {});
+  BagOutput output(out_);
+  const auto report = segmentBag(*input.value, settings_, output, [&](const BagFrame&) { cancel = true; });
+  EXPECT_TRUE(output.close().ok());
+  EXPECT_TRUE(report.status.ok());
+  EXPECT_EQ(report.answered, 1u);
+  EXPECT_EQ(readAll<SegmentedObjectArray>(out_, "/segment_objects/objects").size(), 1u);
+}
+
+TEST_F(SegmentBag, KeepsWhatWasDoneBeforeTheDamage) {
+  writeScenes(3);
+  std::string bytes = readBytes(in_);
+  // The clouds are in chunks of their own; the last of them begins in the last third.
+  std::fill(bytes.begin() + static_cast<long>(0.8 * bytes.size()),
+            bytes.begin() + static_cast<long>(0.85 * bytes.size()), '\xFF');
+  writeBytes(in_, bytes);
+  const SegmentBagReport report = segment(out_);
+  EXPECT_EQ(report.status.code, StatusCode::kBadInput);
+  EXPECT_NE(report.status.message.find("is damaged after 2 of 3 clouds"), std::string::npos) << report.status.message;
+  EXPECT_EQ(report.answered, 2u);
+  EXPECT_EQ(readAll<SegmentedObjectArray>(out_, "/segment_objects/objects").size(), 2u);
+}
+
+}  // namespace

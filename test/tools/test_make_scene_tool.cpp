@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
+
+#include <opencv2/imgcodecs.hpp>
+#include <set>
+
+#include "fixtures/tool_test.hpp"
+#include "objectness_segmentation/io/camera_yaml.hpp"
+
+using namespace objectness_test;
+
+namespace {
+
+class MakeSceneTool : public ToolTest {
+ protected:
+  Outcome make(const std::string& arguments) const { return run("make_scene", arguments); }
+  std::string file(const std::string& name) const { return folder_ / name; }
+  bool exists(const std::string& name) const { return std::filesystem::exists(file(name)); }
+  cv::Mat image(const std::string& name) const { return cv::imread(file(name), cv::IMREAD_UNCHANGED); }
+};
+
+}  // namespace
+
+TEST_F(MakeSceneTool, WritesTheDemoScene) {
+  const Outcome outcome = make("--demo --out " + file("demo"));
+  ASSERT_EQ(outcome.exit_status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("demo, 6 objects"), std::string::npos) << outcome.out;
+  for (const char* name : {"depth.png", "color.png", "labels.png", "camera.yaml", "objects.yaml", "pose.yaml"}) {
+    EXPECT_TRUE(exists(std::string("demo/") + name)) << name;
+  }
+  EXPECT_EQ(YAML::LoadFile(file("demo/objects.yaml"))["objects"].size(), 6u);
+  ASSERT_EQ(make("--demo --out " + file("again")).exit_status, 0);
+  for (const char* name : {"/depth.png", "/color.png", "/labels.png", "/objects.yaml"}) {
+    EXPECT_EQ(readBytes(file("demo") + name), readBytes(file("again") + name)) << name;
+  }
+}
+
+TEST_F(MakeSceneTool, WritesScenesOfALevelAndOfAll) {
+  ASSERT_EQ(make("--level all --count 1 --size 160x120 --objects 3 --out " + file("all")).exit_status, 0);
+  EXPECT_EQ(readBytes(file("all/groups.csv")),
+            "scene,group\nboxes_0000,boxes\nshapes_0000,shapes\noccluded_0000,occluded\ntouching_0000,touching\n"
+            "stacked_0000,stacked\nleaning_0000,leaning\nclutter_0000,clutter\n");
+  ASSERT_EQ(make("--level stacked --count 2 --size 160x120 --objects 3 --out " + file("two")).exit_status, 0);
+  EXPECT_EQ(readBytes(file("two/groups.csv")), "scene,group\nstacked_0000,stacked\nstacked_0001,stacked\n");
+  EXPECT_EQ(readBytes(file("two/stacked_0000/depth.png")), readBytes(file("all/stacked_0000/depth.png")))
+      << "a scene depends on its level, seed and number alone";
+  ASSERT_EQ(make("--level stacked --size 160x120 --objects 3 --out " + file("one")).exit_status, 0);
+  EXPECT_EQ(readBytes(file("one/depth.png")), readBytes(file("two/stacked_0000/depth.png")));
+  ASSERT_EQ(make("--level stacked --size 160x120 --objects 3 --seed 2 --out " + file("other")).exit_status, 0);
+  EXPECT_NE(readBytes(file("one/depth.png")), readBytes(file("other/depth.png")));
+}
+
+TEST_F(MakeSceneTool, WritesASequence) {
+  ASSERT_EQ(make("--level shapes --frames 3 --size 160x120 --out " + file("s")).exit_status, 0);
+  std::set<std::string> poses;
+  for (const char* frame : {"s/frame_0000", "s/frame_0001", "s/frame_0002"}) {
+    poses.insert(readBytes(file(frame) + "/pose.yaml"));
+    EXPECT_EQ(image(frame + std::string("/depth.png")).size(), cv::Size(160, 120));
+  }
+  EXPECT_EQ(poses.size(), 3u);
+  EXPECT_FALSE(exists("s/frame_0003"));
+}
+
+TEST_F(MakeSceneTool, TakesAnotherCamera) {
+  ASSERT_TRUE(objectness::saveCamera(file("camera.yaml"), {610, 608, 325, 242, 640, 480}).ok());
+  ASSERT_EQ(make("--level boxes --camera " + file("camera.yaml") + " --ideal --out " + file("a")).exit_status, 0);
+  const auto same = objectness::loadCamera(file("a/camera.yaml"));
+  EXPECT_EQ(same.value.fx, 610);
+  EXPECT_EQ(cv::countNonZero(image("a/depth.png") == 0), 0) << "the room is closed, the ideal camera sees all of it";
+  ASSERT_EQ(make("--demo --camera " + file("camera.yaml") + " --size 320x200 --out " + file("b")).exit_status, 0);
+  const auto half = objectness::loadCamera(file("b/camera.yaml"));
+  EXPECT_NEAR(half.value.fy, 304, 1e-6);
+  EXPECT_NEAR(half.value.cx, 162.25, 1e-6);
+  EXPECT_NEAR(half.value.cy, 100 - 0.5 + (242.5 - 240) / 2, 1e-6) << "cut at top and bottom alike";
+  EXPECT_EQ(image("b/depth.png").size(), cv::Size(320, 200));
+}
+
+TEST_F(MakeSceneTool, PrintsHelpAndLevels) {
+  const Outcome help = make("--help");
+  EXPECT_EQ(help.exit_status, 0);
+  for (const char* text : {"--level", "--table", "Examples:", "Exit status"})
+    EXPECT_NE(help.out.find(text), std::string::npos) << text;
+  const Outcome list = make("--list");
+  EXPECT_EQ(list.exit_status, 0);
+  EXPECT_EQ(std::count(list.out.begin(), list.out.end(), '\n'), 7);
+  EXPECT_LT(list.out.find("boxes\t"), list.out.find("clutter\t")) << "from easy to hard";
+}
+
+TEST_F(MakeSceneTool, WrongCommandLines) {
+  for (const auto& [arguments, text] : std::vector<std::pair<std::string, std::string>>{
+           {"--out o", "give either --demo or --level"},
+           {"--demo --level boxes --out o", "give either --demo or --level"},
+           {"--demo", "neither --out DIR nor --bag FILE given"},
+           {"--level chaos --out o", "--level chaos: must be all, boxes, shapes"},
+           {"--level all --out o", "--level all needs --count"},
+           {"--level boxes --count 2 --frames 2 --out o", "exclude each other"},
+           {"--level boxes --objects 21 --out o", "--objects 21: must be 0 to 20"},
+           {"--level boxes --count 0 --out o", "--count 0: must be 1 to"},
+           {"--level boxes --seed -1 --out o", "--seed -1: must be 0 to"},
+           {"--level boxes --seed many --out o", "seed"},
+           {"--level boxes --size 640 --out o", "--size 640: must be WIDTHxHEIGHT"},
+           {"--level boxes --table 1x1 --out o", "--table: '1x1' is no table"},
+           {"--level boxes --table-share 2 --out o", "--table-share must be"},
+           {"--level boxes --camera none.yaml --out o", "--camera none.yaml: there is no such file"},
+           {"--demo --objects 3 --out o", "the demo scene has its own"},
+           {"--demo --pict --out o", "unrecognised option '--pict'"}}) {
+    expectUsageError("make_scene", arguments, text);
+  }
+}
+
+TEST_F(MakeSceneTool, SaysWhatCannotBeMadeOrWritten) {
+  const Outcome crowded = make("--level boxes --objects 20 --table 0.4x0.4x0.7 --count 1 --out " + file("crowded"));
+  EXPECT_EQ(crowded.exit_status, 1);
+  EXPECT_EQ(crowded.errorLines(), 1) << crowded.err;
+  EXPECT_NE(crowded.err.find("boxes_0000: found no room for 20 objects"), std::string::npos) << crowded.err;
+  for (const char* options : {"--demo", "--level boxes", "--level boxes --frames 2", "--level all --count 3"}) {
+    const Outcome outcome = make(options + std::string(" --size 64x48 --out /proc/nowhere"));
+    EXPECT_EQ(outcome.exit_status, 1) << options;
+    EXPECT_EQ(outcome.errorLines(), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find("/proc/nowhere"), std::string::npos) << outcome.err;
+  }
+}

@@ -62,6 +62,7 @@ int run(const po::variables_map& values) {
   LearnSettings settings;
   settings.folds = values["folds"].as<int>();
   settings.threads = values["threads"].as<int>();
+  if (settings.threads < 0) return fail("--threads must not be negative", 2);
   if (settings.folds < 2) return fail("--folds must be at least 2", 2);
   const bool terminal = isatty(STDERR_FILENO);
   settings.progress = [&](const std::string& stage, std::size_t done, std::size_t of) {

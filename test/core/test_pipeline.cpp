@@ -24,8 +24,10 @@ Scene tableTop() {
   return scene;
 }
 
+/// The paper's method, quick.
 Config quickConfig() {
   Config config;
+  config.grouping.enabled = false;
   config.search.angle_step_deg = 15;
   return config;
 }

@@ -54,9 +54,6 @@ TEST_F(SegmentObjects, FindsTwoBoxes) {
   const SegmentedObjectArrayConstPtr result = segment(objects, cloud, goodCamera());
   ASSERT_TRUE(result);
   EXPECT_EQ(result->status, SegmentedObjectArray::OK) << result->message;
-  EXPECT_GT(result->boxes_sampled, result->boxes_scored);
-  EXPECT_GE(result->boxes_scored, result->boxes_passed);
-  EXPECT_GT(result->boxes_passed, 0u);
   EXPECT_GT(result->processing_time, 0);
   ASSERT_EQ(result->table.values.size(), 4u);
   EXPECT_NEAR(result->table.values[3], 0.65, 0.01);

@@ -26,7 +26,9 @@ class SegmentTool : public ToolTest {
     return folder_ / name;
   }
   /// The coarse angles make it quick.
-  std::string common() const { return " --set search.angle_step_deg=45 --out " + (folder_ / "out") + " "; }
+  std::string common() const {
+    return " --set grouping.enabled=false --set search.angle_step_deg=45 --out " + (folder_ / "out") + " ";
+  }
 };
 
 }  // namespace

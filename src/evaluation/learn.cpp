@@ -21,7 +21,7 @@ struct Labelled {
 /// What a scene teaches.
 struct Lesson {
   Samples contact = samplesOf<ContactCues>(), gap = samplesOf<GapCues>(), group = samplesOf<GroupCues>();
-  int fold = 0;
+  int fold = 0, weight = 1;
   std::string problem;
 };
 
@@ -51,7 +51,7 @@ Samples gather(const std::vector<Lesson>& lessons, Samples Lesson::*kind, int bu
   all.values.clear();
   all.targets.clear();
   for (const Lesson& lesson : lessons) {
-    if (lesson.fold != but_fold) append(lesson.*kind, all);
+    for (int k = 0; k < lesson.weight && lesson.fold != but_fold; ++k) append(lesson.*kind, all);
   }
   return all;
 }
@@ -63,6 +63,10 @@ class Learner {
     lessons_.resize(scenes.size());
     std::map<std::string, int> seen;
     for (std::size_t i = 0; i < scenes.size(); ++i) lessons_[i].fold = seen[scenes[i].group]++ % settings.folds;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      const auto weight = settings.weights.find(scenes[i].folder);
+      if (weight != settings.weights.end()) lessons_[i].weight = weight->second;
+    }
   }
 
   Result<LearnedModel> run() {

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <boost/program_options.hpp>
+#include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
@@ -63,6 +64,11 @@ int run(const po::variables_map& values) {
   settings.folds = values["folds"].as<int>();
   settings.threads = values["threads"].as<int>();
   if (settings.folds < 2) return fail("--folds must be at least 2", 2);
+  if (const int weight = values["recorded-weight"].as<int>(); weight != 1) {
+    for (const Scene& scene : list.value.scenes) {
+      if (!std::filesystem::exists(scene.folder + "/pose.yaml")) settings.weights[scene.folder] = weight;
+    }
+  }
   const bool terminal = isatty(STDERR_FILENO);
   settings.progress = [&](const std::string& stage, std::size_t done, std::size_t of) {
     if (terminal) std::cerr << "\r\033[K" << stage << " " << done << "/" << of << (done == of ? "\n" : "") << std::flush;
@@ -91,6 +97,8 @@ int main(int argc, char** argv) {
   add("note", po::value<std::string>()->value_name("TEXT")->default_value(""),
       "what it was learned from, in words; kept in the model");
   add("groups", po::value<std::string>()->value_name("FILE.csv"), "groups of the scenes (columns scene, group)");
+  add("recorded-weight", po::value<int>()->value_name("N")->default_value(1),
+      "scenes that make_scene did not make (without pose.yaml) count N times");
   add("folds", po::value<int>()->value_name("N")->default_value(5), "of the cross-validation");
   add("threads", po::value<int>()->value_name("N")->default_value(2), "worker threads, 0: one per processor");
   add("help,h", "print this");

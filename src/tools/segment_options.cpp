@@ -43,8 +43,6 @@ Result<SegmentOptions> bad(const std::string& message) {
 po::options_description shownOptions() {
   po::options_description options("Options");
   auto add = options.add_options();
-  add("method", po::value<std::string>()->value_name("NAME")->default_value("paper"),
-      "the method; there is only 'paper'");
   addConfigOptions(options);
   add("camera", po::value<std::string>()->value_name("CAMERA.yaml"),
       "the camera of .pcd files (otherwise recovered from the pixel grid) and of folders without camera.yaml");
@@ -86,7 +84,6 @@ Result<SegmentOptions> interpret(const po::variables_map& values) {
     options.value.print = listParameters();
     return options;
   }
-  if (text("method") != "paper") return bad("--method " + text("method") + ": there is only the method 'paper'");
 
   std::vector<std::string> inputs =
       values.count("input") ? values["input"].as<std::vector<std::string>>() : std::vector<std::string>();

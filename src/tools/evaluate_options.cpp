@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <sstream>
 
+#include "command_line.hpp"
 #include "objectness_segmentation/evaluation/methods.hpp"
 
 namespace objectness::evaluation {
@@ -30,8 +31,8 @@ constexpr const char* kExamples =
     "Examples:\n"
     "  evaluate --report report scenes/\n"
     "  evaluate --method paper --method boxes --level object --level part --jobs 4 --report report scenes/\n"
-    "  parallel evaluate --shard {}/8 --report part{} scenes/ ::: 1 2 3 4 5 6 7 8; evaluate merge --report report "
-    "part?\n"
+    "  parallel evaluate --shard {}/8 --report part{} scenes/ ::: 1 2 3 4 5 6 7 8\n"
+    "  evaluate merge --report report part?\n"
     "\n"
     "Exit status: 0 all evaluated, 1 some scene could not be used, some method failed in a scene (it then counts as\n"
     "having found nothing there), or the report could not be written; 2 wrong command line.\n";
@@ -70,19 +71,6 @@ po::options_description shownOptions() {
   return options;
 }
 
-po::variables_map parse(int argc, const char* const* argv) {
-  po::options_description all = shownOptions();
-  all.add_options()("input", po::value<std::vector<std::string>>());
-  po::positional_options_description positional;
-  positional.add("input", -1);
-  // Abbreviated options would change their meaning when an option is added.
-  const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
-  po::variables_map values;
-  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(), values);
-  po::notify(values);
-  return values;
-}
-
 bool parseShard(const std::string& text, int& shard, int& shards) {
   char rest = 0;
   return std::sscanf(text.c_str(), "%d/%d%c", &shard, &shards, &rest) == 2 && shards >= 1 && shards <= kMostShards &&
@@ -90,12 +78,8 @@ bool parseShard(const std::string& text, int& shard, int& shards) {
 }
 
 Result<EvaluateOptions> interpret(const po::variables_map& values) {
-  const auto text = [&](const char* name) {
-    return values.count(name) ? values[name].as<std::string>() : std::string();
-  };
-  const auto list = [&](const char* name) {
-    return values.count(name) ? values[name].as<std::vector<std::string>>() : std::vector<std::string>();
-  };
+  const auto text = [&](const char* name) { return textOf(values, name); };
+  const auto list = [&](const char* name) { return listOf(values, name); };
   Result<EvaluateOptions> result;
   EvaluateOptions& options = result.value;
   if (values["help"].as<bool>()) {
@@ -152,7 +136,7 @@ Result<EvaluateOptions> interpret(const po::variables_map& values) {
 
 Result<EvaluateOptions> parseEvaluateOptions(int argc, const char* const* argv) {
   try {
-    return interpret(parse(argc, argv));
+    return interpret(parseCommandLine(argc, argv, shownOptions(), Inputs::kAny));
   } catch (const po::error& e) {
     return bad(e.what());
   }

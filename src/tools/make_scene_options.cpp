@@ -4,6 +4,7 @@
 #include <boost/program_options.hpp>
 #include <sstream>
 
+#include "command_line.hpp"
 #include "objectness_segmentation/io/camera_yaml.hpp"
 #include "objectness_segmentation/sim/scene_generator.hpp"
 
@@ -23,10 +24,9 @@ constexpr const char* kIntroduction =
     "  make_scene --demo | --level NAME|all [OPTION...] --out DIR | --bag FILE.bag\n"
     "\n"
     "A scene is a folder: depth.png (16-bit millimetres), color.png, camera.yaml, labels.png (0 void, 1 table,\n"
-    "20, 30, ... objects), objects.yaml (table, and of each object kind, extent in the picture, visible share, pose "
-    "and\n"
-    "size) and pose.yaml (of the camera). A bag has the topics of a camera driver, and the truth on /truth/labels and\n"
-    "/truth/objects. The same options give the same files.\n"
+    "20, 30, ... objects), objects.yaml (table, and of each object kind, extent in the picture, visible share, pose\n"
+    "and size) and pose.yaml (of the camera). A bag has the topics of a camera driver, and the truth on\n"
+    "/truth/labels and /truth/objects. The same options give the same files.\n"
     "\n";
 
 constexpr const char* kExamples =
@@ -59,7 +59,7 @@ po::options_description shownOptions() {
   add("size", text("WIDTHxHEIGHT"), "scale the camera to another image width; the height is cut or grows");
   add("table", text("SIZE"), "metres: WIDTHxDEPTHxHEIGHT or round:DIAMETERxHEIGHT (otherwise drawn at random)");
   add("table-share", po::value<double>()->value_name("X"),
-      "least share of the picture that table and objects fill, 0 to 0.9 (0.4); less means more floor");
+      "least share of the picture that table and objects fill, 0 to 0.9 (0.15); more means less floor");
   add("out", text("DIR"), "folder for the scene or scenes, made when missing");
   add("bag", text("FILE.bag"), "the scene as a recording, replaced when it exists");
   add("help,h", po::bool_switch(), "print this");
@@ -105,9 +105,7 @@ Result<PinholeCamera> resize(const PinholeCamera& camera, const std::string& tex
 }
 
 Options interpret(const po::variables_map& values) {
-  const auto text = [&](const char* name) {
-    return values.count(name) ? values[name].as<std::string>() : std::string();
-  };
+  const auto text = [&](const char* name) { return textOf(values, name); };
   Options options;
   MakeSceneOptions& o = options.value;
   if (values["help"].as<bool>()) {
@@ -172,12 +170,7 @@ Options interpret(const po::variables_map& values) {
 
 Result<MakeSceneOptions> parseMakeSceneOptions(int argc, const char* const* argv) {
   try {
-    // Abbreviated options would change their meaning when an option is added.
-    const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
-    po::variables_map values;
-    po::store(po::command_line_parser(argc, argv).options(shownOptions()).positional({}).style(style).run(), values);
-    po::notify(values);
-    return interpret(values);
+    return interpret(parseCommandLine(argc, argv, shownOptions(), Inputs::kNone));
   } catch (const po::error& e) {
     return bad(e.what());
   }

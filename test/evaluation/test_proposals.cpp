@@ -7,6 +7,7 @@
 #include "objectness_segmentation/sim/demo_scene.hpp"
 
 using namespace objectness;
+using namespace objectness::evaluation;
 using Eigen::Vector3d;
 
 namespace {

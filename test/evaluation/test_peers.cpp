@@ -4,11 +4,11 @@
 #include <map>
 #include <opencv2/imgcodecs.hpp>
 
+#include "fixtures/demo_images.hpp"
 #include "fixtures/ray_cast.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "objectness_segmentation/io/scene_folder.hpp"
 #include "objectness_segmentation/peers/peers.hpp"
-#include "objectness_segmentation/sim/demo_scene.hpp"
 
 using namespace objectness;
 using namespace objectness_test;
@@ -57,7 +57,7 @@ std::pair<double, double> precisionRecall(const cv::Mat_<ushort>& truth, const S
 }  // namespace
 
 TEST(Peers, SegmentTheDemoScene) {
-  const SceneImages scene = sim::makeDemoScene(1);
+  const SceneImages scene = demoImages(1);
   const auto frame = makeFrame(scene.depth_mm, scene.color, scene.camera, InputConfig());
   ASSERT_TRUE(frame.ok());
   for (const Peer peer : kPeers) {
@@ -168,7 +168,7 @@ TEST(Peers, BadSettingsAreNamed) {
 }
 
 TEST(Peers, TheSameEveryTimeAndSilent) {
-  const SceneImages scene = sim::makeDemoScene(2);
+  const SceneImages scene = demoImages(2);
   const auto frame = makeFrame(scene.depth_mm, cv::Mat(), scene.camera, InputConfig());
   PeersConfig settings;
   settings.cpc.min_borders_for_cutting = 20;  // so that there are cuts, which are found by chance

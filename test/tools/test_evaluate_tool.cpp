@@ -228,10 +228,7 @@ TEST_F(EvaluateTool, WithoutPythonTheTablesAreThere) {
 
 TEST_F(EvaluateTool, WrongCommandLines) {
   const auto expectUsageError = [&](const std::string& arguments, const std::string& text) {
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.exit_status, 2) << arguments;
-    EXPECT_EQ(outcome.errorLines(), 1) << outcome.err;
-    EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
+    ToolTest::expectUsageError("evaluate", arguments, text);
   };
   expectUsageError("scenes", "no --report DIR given");
   expectUsageError("--report r --method graph scenes", "there is no method 'graph', only objectness, paper, boxes");

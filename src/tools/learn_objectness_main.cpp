@@ -9,7 +9,9 @@
 #include <iostream>
 #include <map>
 
+#include "command_line.hpp"
 #include "objectness_segmentation/evaluation/learn.hpp"
+#include "tool_message.hpp"
 
 namespace {
 
@@ -24,7 +26,7 @@ constexpr const char* kIntroduction =
     "were learned without them (cross-validation), by group.\n\n";
 
 int fail(const std::string& message, int status) {
-  std::cerr << "learn_objectness: " << message << std::endl;
+  printToolMessage("learn_objectness", message);
   return status;
 }
 
@@ -52,10 +54,10 @@ void printScores(const std::vector<HeldOutScores>& held_out) {
 }
 
 int run(const po::variables_map& values) {
-  const auto inputs = values.count("input") ? values["input"].as<std::vector<std::string>>() : std::vector<std::string>();
+  const std::vector<std::string> inputs = listOf(values, "input");
   if (inputs.empty()) return fail("no SCENES given (learn_objectness --help)", 2);
   const Result<SceneList> list =
-      findScenes(inputs, values.count("groups") ? values["groups"].as<std::string>() : std::string());
+      findScenes(inputs, textOf(values, "groups"));
   if (!list.ok()) return fail(list.status.message, 1);
   for (const std::string& error : list.value.errors) fail(error, 1);
   if (!list.value.errors.empty()) return 1;
@@ -75,7 +77,7 @@ int run(const po::variables_map& values) {
   };
   Result<LearnedModel> learned = learn(list.value.scenes, settings);
   if (!learned.ok()) return fail(learned.status.message, 1);
-  for (const std::string& note : learned.value.notes) std::cerr << "learn_objectness: left out: " << note << std::endl;
+  for (const std::string& note : learned.value.notes) fail("left out: " + note, 0);
   learned.value.model.trained_on = values["note"].as<std::string>();
   std::cout << list.value.scenes.size() << " scenes; samples: " << learned.value.contacts << " contacts, "
             << learned.value.gaps << " gaps, " << learned.value.groups << " groups\n";
@@ -91,9 +93,9 @@ int run(const po::variables_map& values) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  po::options_description options("Options"), all;
+  po::options_description options("Options");
   auto add = options.add_options();
-  add("out", po::value<std::string>()->value_name("MODEL.json")->required(), "the model");
+  add("out", po::value<std::string>()->value_name("MODEL.json"), "the model");
   add("note", po::value<std::string>()->value_name("TEXT")->default_value(""),
       "what it was learned from, in words; kept in the model");
   add("groups", po::value<std::string>()->value_name("FILE.csv"), "groups of the scenes (columns scene, group)");
@@ -102,17 +104,13 @@ int main(int argc, char** argv) {
   add("folds", po::value<int>()->value_name("N")->default_value(5), "of the cross-validation");
   add("threads", po::value<int>()->value_name("N")->default_value(2), "worker threads, 0: one per processor");
   add("help,h", "print this");
-  all.add(options).add_options()("input", po::value<std::vector<std::string>>());
-  po::positional_options_description positional;
-  positional.add("input", -1);
   try {
-    po::variables_map values;
-    po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), values);
+    const po::variables_map values = parseCommandLine(argc, argv, options, Inputs::kAny);
     if (values.count("help")) {
       std::cout << kIntroduction << options;
       return 0;
     }
-    po::notify(values);
+    if (textOf(values, "out").empty()) return fail("no --out MODEL.json given (learn_objectness --help)", 2);
     return run(values);
   } catch (const po::error& e) {
     return fail(std::string(e.what()) + " (learn_objectness --help)", 2);

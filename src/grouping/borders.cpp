@@ -48,12 +48,12 @@ class BorderWalk {
       if (pieces_.label(y, x) == own) return;
       if (pieces_.label(y, x) >= 0) {
         outline.pieces += step_m;
-        if (own < pieces_.label(y, x)) note(own, pieces_.label(y, x), pixel, other, step_m);
+        if (own < pieces_.label(y, x)) note(own, pieces_.label(y, x), pixel, other);
       } else {
         const float gap = (frame_.points[other] - frame_.points[pixel]).norm();
         float& kind = object_points_.on_table(y, x) && gap < kMaxContact_m ? outline.table
-                      : frame_.points[other].z() > z                      ? outline.front
-                                                                          : outline.behind;
+                      : frame_.points[other].z() > z                       ? outline.front
+                                                                           : outline.behind;
         kind += step_m;
       }
       return;
@@ -61,9 +61,12 @@ class BorderWalk {
     outline.unknown += step_m;
   }
 
-  void note(int first, int second, int pixel, int other, float step_m) {
+  void note(int first, int second, int pixel, int other) {
     PairBorder& pair = borders_.pairs[{first, second}];
     const float gap = (frame_.points[other] - frame_.points[pixel]).norm();
+    // A border is the edge of what is nearer: as long as there, whichever piece comes first.
+    const float step_m =
+        std::min(frame_.points[pixel].z(), frame_.points[other].z()) / static_cast<float>(frame_.camera.focal());
     if (gap < kMaxContact_m) {
       pair.contact += step_m;
       pair.samples.push_back({pixel, other});

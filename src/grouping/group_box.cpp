@@ -47,6 +47,21 @@ OrientedBox boxAlong(const std::vector<Eigen::Vector3f>& points, const Eigen::Ve
   return box;
 }
 
+/// The same box with its axes renamed: z is the one nearest to the table's normal, and points upwards.
+OrientedBox standing(const OrientedBox& box) {
+  const Eigen::Matrix3d& axes = box.T_camera_box.linear();
+  int z = 2;
+  for (const int axis : {0, 1}) {
+    if (std::abs(axes(2, axis)) > std::abs(axes(2, z)) + 1e-6) z = axis;
+  }
+  const double sign = axes(2, z) < 0 ? -1 : 1;
+  const int x = (z + 1) % 3, y = (z + 2) % 3;
+  OrientedBox turned = box;
+  turned.T_camera_box.linear() << sign * axes.col(x), axes.col(y), sign * axes.col(z);
+  turned.size_m = {box.size_m[x], box.size_m[y], box.size_m[z]};
+  return turned;
+}
+
 }  // namespace
 
 OrientedBox tightBox(const std::vector<Eigen::Vector3f>& points, const std::vector<Eigen::Vector3f>& directions,
@@ -63,7 +78,7 @@ OrientedBox tightBox(const std::vector<Eigen::Vector3f>& points, const std::vect
     best = box;
     best_volume = box.size_m.prod();
   }
-  return best;
+  return standing(best);
 }
 
 }  // namespace objectness

@@ -37,12 +37,14 @@ double rounded(float value) {
 }
 
 /// Children come after their parents: no walk is endless, none leaves the tree.
-bool sound(const std::vector<Forest::Node>& tree, int cues) {
+bool sound(const nlohmann::json& nodes, const std::vector<Forest::Node>& tree, int cues) {
   const int size = static_cast<int>(tree.size());
   for (int i = 0; i < size; ++i) {
     const Forest::Node& node = tree[i];
-    if (node.cue < 0) continue;
-    if (node.cue >= cues || node.left <= i || node.right <= i || node.left >= size || node.right >= size) return false;
+    if (nodes[i].size() == 1) continue;  // a leaf
+    if (node.cue < 0 || node.cue >= cues || node.left <= i || node.right <= i || node.left >= size ||
+        node.right >= size)
+      return false;
   }
   return size > 0;
 }
@@ -84,7 +86,7 @@ Result<Forest> parseForest(const nlohmann::json& json, const std::vector<std::st
     for (const nlohmann::json& nodes : json.at("trees")) {
       std::vector<Forest::Node> tree;
       for (const nlohmann::json& node : nodes) tree.push_back(parseNode(node));
-      if (!sound(tree, static_cast<int>(cues.size()))) {
+      if (!sound(nodes, tree, static_cast<int>(cues.size()))) {
         return bad("tree " + std::to_string(result.value.trees.size()) + " refers to nodes or cues that do not exist");
       }
       result.value.trees.push_back(std::move(tree));

@@ -39,7 +39,11 @@ Result<LearnedObjectness> parseModel(const std::string& text) {
   if (!json.is_object()) {
     return Result<LearnedObjectness>::error(StatusCode::kBadInput, "is not a model: not a JSON object");
   }
-  model.value.trained_on = json.value("trained_on", std::string());
+  const nlohmann::json trained_on = json.value("trained_on", nlohmann::json(""));
+  if (!trained_on.is_string()) {
+    return Result<LearnedObjectness>::error(StatusCode::kBadInput, "\"trained_on\" is no text");
+  }
+  model.value.trained_on = trained_on.get<std::string>();
   for (Status status : {parsePart(json, "contact", cueNames<ContactCues>(), model.value.contact),
                         parsePart(json, "gap", cueNames<GapCues>(), model.value.gap),
                         parsePart(json, "group", cueNames<GroupCues>(), model.value.group)}) {

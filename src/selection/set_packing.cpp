@@ -127,9 +127,13 @@ class BranchAndBound {
 Packing packExactly(const PackingProblem& problem, std::int64_t max_nodes) {
   Packing packing;
   packing.optimal = true;
-  for (const std::vector<int>& part : connectedParts(problem)) {
+  std::vector<std::vector<int>> parts = connectedParts(problem);
+  // Small parts first: one that is too large for the limit leaves the others proven.
+  std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  for (const std::vector<int>& part : parts) {
     BranchAndBound search(problem, part, max_nodes);
     search.run();
+    max_nodes = search.nodesLeft();
     packing.chosen.insert(packing.chosen.end(), search.chosen().begin(), search.chosen().end());
     packing.value += search.value();
     packing.bound += search.bound();

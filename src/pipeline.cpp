@@ -125,8 +125,8 @@ void searchBoxes(const Frame& frame, const Config& config, const Stages& stage, 
 }
 
 /// Past the paper: groups of superpixels of any height and tilt, judged by what was learned.
-void groupPieces(const Frame& frame, const Config& config, const LearnedObjectness& model,
-                 const Stages& stage, const Normals& normals, Segmentation& result) {
+void groupPieces(const Frame& frame, const Config& config, const LearnedObjectness& model, const Stages& stage,
+                 const Normals& normals, Segmentation& result) {
   const PieceGraph graph = stage("pieces", [&] {
     return findPieceGraph(frame, normals, result.table, result.object_points, result.superpixels, config.pieces,
                           config.links);
@@ -150,8 +150,7 @@ void groupPieces(const Frame& frame, const Config& config, const LearnedObjectne
     return selectGroups(problem, config.grouping, config.runtime.seed);
   });
   stage.count("selection_proven", packing.optimal);
-  result.segments =
-      stage("segments", [&] { return cutGroups(graph.pieces, groups, packing.chosen, config.segments); });
+  result.segments = stage("segments", [&] { return cutGroups(graph.pieces, groups, packing.chosen, config.segments); });
 }
 
 /// Fills `result` as far as it gets.

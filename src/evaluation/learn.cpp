@@ -89,8 +89,7 @@ class Learner {
     std::vector<std::optional<Scores>> scores(scenes_.size());
     forEachScene("held out", [&](const Labelled& labelled, Lesson& lesson) {
       const Segmentation result = segment(labelled.frame, settings_.config, folds[lesson.fold]);
-      scores[&lesson - lessons_.data()] =
-          scoreLabels(result.labels, truthAtLevel(labelled.truth, Level::kObject));
+      scores[&lesson - lessons_.data()] = scoreLabels(result.labels, truthAtLevel(labelled.truth, Level::kObject));
     });
 
     Result<LearnedModel> learned;
@@ -131,10 +130,9 @@ class Learner {
     for (const Samples* samples : {&contact, &gap}) {
       const auto same = std::count(samples->targets.begin(), samples->targets.end(), 1.f);
       if (same > 0 && same < static_cast<long>(samples->size())) continue;
-      return Status::error(StatusCode::kBadInput,
-                           "the scenes hold no two pieces of one object, or none of two, that " +
-                               std::string(samples == &contact ? "touch" : "do not touch") +
-                               ": more and fuller scenes are needed");
+      return Status::error(StatusCode::kBadInput, "the scenes hold no two pieces of one object, or none of two, that " +
+                                                      std::string(samples == &contact ? "touch" : "do not touch") +
+                                                      ": more and fuller scenes are needed");
     }
     model.contact = trainForest(contact, settings_.training.contact);
     model.gap = trainForest(gap, settings_.training.gap);
@@ -150,9 +148,9 @@ class Learner {
 
 Result<LearnedModel> learn(const std::vector<Scene>& scenes, const LearnSettings& settings) {
   if (scenes.size() < static_cast<std::size_t>(settings.folds)) {
-    return Result<LearnedModel>::error(StatusCode::kBadInput,
-                                       std::to_string(scenes.size()) + " scenes are too few for " +
-                                           std::to_string(settings.folds) + " folds");
+    return Result<LearnedModel>::error(
+        StatusCode::kBadInput,
+        std::to_string(scenes.size()) + " scenes are too few for " + std::to_string(settings.folds) + " folds");
   }
   return Learner(scenes, settings).run();
 }

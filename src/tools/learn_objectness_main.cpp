@@ -22,7 +22,8 @@ using namespace objectness::evaluation;
 constexpr const char* kIntroduction =
     "Learns how much a group of superpixels looks like one whole object, from scenes whose objects are known.\n\n"
     "  learn_objectness --out MODEL.json [OPTION...] SCENES...\n\n"
-    "SCENES are scene folders with labels.png, or folders of such. Prints how well scenes are segmented by models that\n"
+    "SCENES are scene folders with labels.png, or folders of such. Prints how well scenes are segmented by models "
+    "that\n"
     "were learned without them (cross-validation), by group.\n\n";
 
 int fail(const std::string& message, int status) {
@@ -56,8 +57,7 @@ void printScores(const std::vector<HeldOutScores>& held_out) {
 int run(const po::variables_map& values) {
   const std::vector<std::string> inputs = listOf(values, "input");
   if (inputs.empty()) return fail("no SCENES given (learn_objectness --help)", 2);
-  const Result<SceneList> list =
-      findScenes(inputs, textOf(values, "groups"));
+  const Result<SceneList> list = findScenes(inputs, textOf(values, "groups"));
   if (!list.ok()) return fail(list.status.message, 1);
   for (const std::string& error : list.value.errors) fail(error, 1);
   if (!list.value.errors.empty()) return 1;
@@ -73,7 +73,8 @@ int run(const po::variables_map& values) {
   }
   const bool terminal = isatty(STDERR_FILENO);
   settings.progress = [&](const std::string& stage, std::size_t done, std::size_t of) {
-    if (terminal) std::cerr << "\r\033[K" << stage << " " << done << "/" << of << (done == of ? "\n" : "") << std::flush;
+    if (terminal)
+      std::cerr << "\r\033[K" << stage << " " << done << "/" << of << (done == of ? "\n" : "") << std::flush;
   };
   Result<LearnedModel> learned = learn(list.value.scenes, settings);
   if (!learned.ok()) return fail(learned.status.message, 1);

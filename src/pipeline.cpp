@@ -2,8 +2,8 @@
 #include "objectness_segmentation/pipeline.hpp"
 
 #include <algorithm>
-#include <exception>
 
+#include "guarded_segmentation.hpp"
 #include "objectness_segmentation/grouping/bottom_up.hpp"
 #include "objectness_segmentation/search/angle_search.hpp"
 #include "objectness_segmentation/selection/hypotheses.hpp"
@@ -125,8 +125,8 @@ void searchBoxes(const Frame& frame, const Config& config, const Stages& stage, 
 }
 
 /// Past the paper: groups of superpixels of any height and tilt, judged by what was learned.
-void groupPieces(const Frame& frame, const Config& config, const LearnedObjectness& model,
-                 const Stages& stage, const Normals& normals, Segmentation& result) {
+void groupPieces(const Frame& frame, const Config& config, const LearnedObjectness& model, const Stages& stage,
+                 const Normals& normals, Segmentation& result) {
   const PieceGraph graph = stage("pieces", [&] {
     return findPieceGraph(frame, normals, result.table, result.object_points, result.superpixels, config.pieces,
                           config.links);
@@ -150,8 +150,7 @@ void groupPieces(const Frame& frame, const Config& config, const LearnedObjectne
     return selectGroups(problem, config.grouping, config.runtime.seed);
   });
   stage.count("selection_proven", packing.optimal);
-  result.segments =
-      stage("segments", [&] { return cutGroups(graph.pieces, groups, packing.chosen, config.segments); });
+  result.segments = stage("segments", [&] { return cutGroups(graph.pieces, groups, packing.chosen, config.segments); });
 }
 
 /// Fills `result` as far as it gets.
@@ -170,30 +169,21 @@ void run(const Frame& frame, const Config& config, const LearnedObjectness* mode
   stage.count("segments", result.segments.size());
 }
 
+/// model: nullptr for the one that comes with the package.
 Segmentation segmentWith(const LearnedObjectness* model, const Frame& frame, const Config& config,
                          const std::atomic<bool>* cancel) {
-  Segmentation result;
-  result.labels = cv::Mat_<ushort>(frame.height(), frame.width(), static_cast<ushort>(0));
-  StageTimes total;
-  {
-    const StageTimer timer(total, "total");
+  return guardedSegmentation(frame, [&](Segmentation& result) {
+    const std::vector<std::string> problems = validate(config);
+    if (!problems.empty()) {
+      result.status = Status::error(StatusCode::kBadConfig, problems.front());
+      return;
+    }
     try {
-      const std::vector<std::string> problems = validate(config);
-      if (!problems.empty()) {
-        result.status = Status::error(StatusCode::kBadConfig, problems.front());
-      } else {
-        run(frame, config, model, cancel, result);
-      }
+      run(frame, config, model, cancel, result);
     } catch (const Cancelled&) {
       result.status = Status::error(StatusCode::kCancelled, "cancelled between stages");
-    } catch (const std::bad_alloc&) {
-      result.status = Status::error(StatusCode::kInternalError, "out of memory");
-    } catch (const std::exception& e) {
-      result.status = Status::error(StatusCode::kInternalError, e.what());
     }
-  }
-  result.report.timings_ms.push_back(total.front());
-  return result;
+  });
 }
 
 }  // namespace

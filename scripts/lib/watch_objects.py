@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Prints what the node finds while a bag is played to it: watch_objects.py FIRST_TIMEOUT_S IDLE_S.
 
-A line for each frame, and a table of the last one's objects. Ends when no frame came for IDLE_S (the bag is over), or one
-came with an earlier stamp (it begins anew). Exit status 1 when there was none at all within FIRST_TIMEOUT_S.
+A line for each frame, and a table of the last one's objects. Ends when no frame came for IDLE_S (the bag is over), or
+one came with an earlier stamp (it begins anew). Exit status 1 when there was none at all within FIRST_TIMEOUT_S.
 """
 import queue
 import sys

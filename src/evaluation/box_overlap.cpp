@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace objectness {
+namespace objectness::evaluation {
 namespace {
 
 using Polygon = std::vector<Eigen::Vector3d>;
@@ -68,4 +68,4 @@ double boxOverlap(const OrientedBox& a, const OrientedBox& b) {
   return shared / (a.size_m.prod() + b.size_m.prod() - shared);
 }
 
-}  // namespace objectness
+}  // namespace objectness::evaluation

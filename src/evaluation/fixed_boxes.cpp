@@ -5,10 +5,10 @@
 #include <array>
 #include <cmath>
 
-namespace objectness {
-namespace {
+#include "objectness_segmentation/common/angles.hpp"
 
-constexpr double kPi = 3.14159265358979323846;
+namespace objectness::evaluation {
+namespace {
 
 /// Width, depth and height in metres of what is common on tables. Few sizes: a hundred boxes of four sizes find more
 /// than a hundred of eight, which are sparser each.
@@ -49,4 +49,4 @@ std::vector<OrientedBox> fixedBoxes(const Table& table, const Footprint& footpri
   return boxes;
 }
 
-}  // namespace objectness
+}  // namespace objectness::evaluation

@@ -21,7 +21,7 @@ struct Labelled {
 /// What a scene teaches.
 struct Lesson {
   Samples contact = samplesOf<ContactCues>(), gap = samplesOf<GapCues>(), group = samplesOf<GroupCues>();
-  int fold = 0;
+  int fold = 0, weight = 1;
   std::string problem;
 };
 
@@ -51,7 +51,7 @@ Samples gather(const std::vector<Lesson>& lessons, Samples Lesson::*kind, int bu
   all.values.clear();
   all.targets.clear();
   for (const Lesson& lesson : lessons) {
-    if (lesson.fold != but_fold) append(lesson.*kind, all);
+    for (int k = 0; k < lesson.weight && lesson.fold != but_fold; ++k) append(lesson.*kind, all);
   }
   return all;
 }
@@ -63,6 +63,10 @@ class Learner {
     lessons_.resize(scenes.size());
     std::map<std::string, int> seen;
     for (std::size_t i = 0; i < scenes.size(); ++i) lessons_[i].fold = seen[scenes[i].group]++ % settings.folds;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      const auto weight = settings.weights.find(scenes[i].folder);
+      if (weight != settings.weights.end()) lessons_[i].weight = weight->second;
+    }
   }
 
   Result<LearnedModel> run() {
@@ -85,8 +89,7 @@ class Learner {
     std::vector<std::optional<Scores>> scores(scenes_.size());
     forEachScene("held out", [&](const Labelled& labelled, Lesson& lesson) {
       const Segmentation result = segment(labelled.frame, settings_.config, folds[lesson.fold]);
-      scores[&lesson - lessons_.data()] =
-          scoreLabels(result.labels, truthAtLevel(labelled.truth, Level::kObject));
+      scores[&lesson - lessons_.data()] = scoreLabels(result.labels, truthAtLevel(labelled.truth, Level::kObject));
     });
 
     Result<LearnedModel> learned;
@@ -127,10 +130,9 @@ class Learner {
     for (const Samples* samples : {&contact, &gap}) {
       const auto same = std::count(samples->targets.begin(), samples->targets.end(), 1.f);
       if (same > 0 && same < static_cast<long>(samples->size())) continue;
-      return Status::error(StatusCode::kBadInput,
-                           "the scenes hold no two pieces of one object, or none of two, that " +
-                               std::string(samples == &contact ? "touch" : "do not touch") +
-                               ": more and fuller scenes are needed");
+      return Status::error(StatusCode::kBadInput, "the scenes hold no two pieces of one object, or none of two, that " +
+                                                      std::string(samples == &contact ? "touch" : "do not touch") +
+                                                      ": more and fuller scenes are needed");
     }
     model.contact = trainForest(contact, settings_.training.contact);
     model.gap = trainForest(gap, settings_.training.gap);
@@ -146,9 +148,9 @@ class Learner {
 
 Result<LearnedModel> learn(const std::vector<Scene>& scenes, const LearnSettings& settings) {
   if (scenes.size() < static_cast<std::size_t>(settings.folds)) {
-    return Result<LearnedModel>::error(StatusCode::kBadInput,
-                                       std::to_string(scenes.size()) + " scenes are too few for " +
-                                           std::to_string(settings.folds) + " folds");
+    return Result<LearnedModel>::error(
+        StatusCode::kBadInput,
+        std::to_string(scenes.size()) + " scenes are too few for " + std::to_string(settings.folds) + " folds");
   }
   return Learner(scenes, settings).run();
 }

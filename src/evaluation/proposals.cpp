@@ -6,10 +6,8 @@
 
 #include "objectness_segmentation/evaluation/box_overlap.hpp"
 
-namespace objectness {
+namespace objectness::evaluation {
 namespace {
-
-constexpr int kFirstObject = 20, kLabelsPerObject = 10;  // of true label images
 
 bool holds(const OrientedBox& box, const Eigen::Isometry3d& T_box_camera, const Eigen::Vector3f& p, double margin_m) {
   const Eigen::Vector3d q = (T_box_camera * p.cast<double>()).cwiseAbs();
@@ -25,7 +23,7 @@ void measureBestBox(const Frame& frame, const Segmentation& result, const cv::Ma
   std::map<int, int> shared, size;
   for (int i = 0; i < frame.size(); ++i) {
     const int v = i / frame.width(), u = i % frame.width();
-    const int object = labels(v, u) >= kFirstObject ? labels(v, u) / kLabelsPerObject : 0;
+    const int object = objectOf(labels(v, u));
     if (object > 0) ++size[object];
     if (labels(v, u) == 0 || !result.object_points.mask(v, u)) continue;
     if (!holds(box, T_box_camera, frame.points[i], margin_m)) continue;
@@ -88,4 +86,4 @@ ProposalFigures measureProposals(const Frame& frame, const Segmentation& result,
   return figures;
 }
 
-}  // namespace objectness
+}  // namespace objectness::evaluation

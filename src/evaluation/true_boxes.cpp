@@ -9,12 +9,13 @@
 #include <opencv2/imgproc.hpp>
 #include <set>
 
-namespace objectness {
+#include "objectness_segmentation/common/angles.hpp"
+
+namespace objectness::evaluation {
 namespace {
 
-constexpr int kFirstObject = 20, kLabelsPerObject = 10;  // of true label images
-constexpr float kNeighbor_m = 0.02f;                     // pixels of one surface are no farther apart
-constexpr int kMinNeighbors = 4;                         // of eight; a pixel with fewer hangs between surfaces
+constexpr float kNeighbor_m = 0.02f;  // pixels of one surface are no farther apart
+constexpr int kMinNeighbors = 4;      // of eight; a pixel with fewer hangs between surfaces
 
 std::vector<double> readNumbers(const YAML::Node& node, std::size_t count) {
   const auto numbers = node.as<std::vector<double>>();
@@ -24,7 +25,7 @@ std::vector<double> readNumbers(const YAML::Node& node, std::size_t count) {
 
 TrueBox readBox(const YAML::Node& node) {
   TrueBox truth;
-  truth.label = node["label"].as<int>() / kLabelsPerObject;
+  truth.object = objectOf(node["label"].as<int>());
   const auto size = readNumbers(node["size_m"], 3), at = readNumbers(node["T_camera_box"]["position"], 3),
              q = readNumbers(node["T_camera_box"]["orientation_xyzw"], 4);
   truth.box.size_m = Eigen::Vector3d(size.data());
@@ -39,19 +40,16 @@ TrueBox readBox(const YAML::Node& node) {
 
 /// The object of each pixel that lies on its surface: 2, 3, ...; 0 = none.
 cv::Mat_<ushort> surfacePixels(const Frame& frame, const cv::Mat_<ushort>& labels) {
-  const auto objectAt = [&](int v, int u) {
-    return labels(v, u) >= kFirstObject ? labels(v, u) / kLabelsPerObject : 0;
-  };
   cv::Mat_<ushort> objects(labels.size(), static_cast<ushort>(0));
   for (int v = 1; v + 1 < labels.rows; ++v) {
     for (int u = 1; u + 1 < labels.cols; ++u) {
       const Eigen::Vector3f& p = frame.points[v * labels.cols + u];
-      const int object = objectAt(v, u);
+      const int object = objectOf(labels(v, u));
       int neighbors = -1;  // the pixel itself
       for (int dv = -1; dv <= 1; ++dv) {
         for (int du = -1; du <= 1; ++du) {
           const Eigen::Vector3f& q = frame.points[(v + dv) * labels.cols + u + du];
-          neighbors += objectAt(v + dv, u + du) == object && (p - q).norm() < kNeighbor_m;
+          neighbors += objectOf(labels(v + dv, u + du)) == object && (p - q).norm() < kNeighbor_m;
         }
       }
       if (neighbors >= kMinNeighbors) objects(v, u) = static_cast<ushort>(object);
@@ -65,7 +63,7 @@ OrientedBox boxAround(const std::vector<cv::Point2f>& footprint, double top_m,
   const cv::RotatedRect rectangle = cv::minAreaRect(footprint);
   Eigen::Isometry3d T_table_box = Eigen::Isometry3d::Identity();
   T_table_box.translation() << rectangle.center.x, rectangle.center.y, 0.5 * top_m;
-  T_table_box.rotate(Eigen::AngleAxisd(rectangle.angle * 3.14159265358979323846 / 180, Eigen::Vector3d::UnitZ()));
+  T_table_box.rotate(Eigen::AngleAxisd(rectangle.angle * kDegree, Eigen::Vector3d::UnitZ()));
   return {T_table_camera.inverse() * T_table_box, {rectangle.size.width, rectangle.size.height, top_m}};
 }
 
@@ -112,10 +110,10 @@ Result<std::vector<TrueBox>> findTrueBoxes(const std::string& scene_folder, cons
     return result;
   }
   std::set<int> seen;
-  for (const ushort label : labels) seen.insert(label / kLabelsPerObject);
-  const auto hidden = [&](const TrueBox& truth) { return seen.count(truth.label) == 0; };
+  for (const ushort label : labels) seen.insert(objectOf(label));
+  const auto hidden = [&](const TrueBox& truth) { return seen.count(truth.object) == 0; };
   result.value.erase(std::remove_if(result.value.begin(), result.value.end(), hidden), result.value.end());
   return result;
 }
 
-}  // namespace objectness
+}  // namespace objectness::evaluation

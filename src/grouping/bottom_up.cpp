@@ -7,8 +7,8 @@
 namespace objectness {
 
 PieceGraph findPieceGraph(const Frame& frame, const Normals& normals, const Table& table,
-                          const ObjectPoints& object_points, const Superpixels& superpixels,
-                          const PiecesConfig& pieces, const LinksConfig& links) {
+                          const ObjectPoints& object_points, const Superpixels& superpixels, const PiecesConfig& pieces,
+                          const LinksConfig& links) {
   PieceGraph graph;
   graph.pieces = findPieces(frame, normals, object_points, superpixels, pieces);
   graph.borders = findBorders(frame, object_points, graph.pieces);

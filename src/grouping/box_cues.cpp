@@ -8,11 +8,11 @@
 namespace objectness {
 namespace {
 
-constexpr float kInside_m = 0.003;  // a point this far outside a face is still in the box
-constexpr float kFace_m = 0.012;    // a point this near to a face lies on it
+constexpr float kInside_m = 0.003;                  // a point this far outside a face is still in the box
+constexpr float kFace_m = 0.012;                    // a point this near to a face lies on it
 const Eigen::Array3f kRing_m(0.02f, 0.02f, 0.04f);  // b_eps of Eq. 2
-constexpr float kClear_m = 0.01;    // farther in depth than this is apart
-constexpr int kCells = 9;           // of the volume, per side
+constexpr float kClear_m = 0.01;                    // farther in depth than this is apart
+constexpr int kCells = 9;                           // of the volume, per side
 
 /// The box as the camera stands to it.
 struct View {

@@ -24,8 +24,7 @@ struct Side {
 std::optional<Side> sideAt(const Frame& frame, const Normals& normals, const Superpixels& superpixels,
                            const Pieces& pieces, int piece, int pixel) {
   const Eigen::Vector3f centre = frame.points[pixel];
-  const int radius = std::clamp(
-      static_cast<int>(std::lround(kSideReach_m * frame.camera.focal() / centre.z())), 3, 40);
+  const int radius = std::clamp(static_cast<int>(std::lround(kSideReach_m * frame.camera.focal() / centre.z())), 3, 40);
   const int stride = 1 + radius / 12;
   const int u0 = pixel % frame.width(), v0 = pixel / frame.width();
   const bool smooth_only = pieces.pieces[piece].smooth_pixels > 0;

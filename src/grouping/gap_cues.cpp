@@ -52,9 +52,12 @@ Counts lookAlong(const Frame& frame, const Eigen::Vector3f& from, const Eigen::V
     if (u < 0 || v < 0 || u >= frame.width() || v >= frame.height()) continue;
     const float z = frame.points[v * frame.width() + u].z();
     if (std::isnan(z)) continue;
-    if (z < p.z() - kOccluder_m) ++counts.occluded;
-    else if (z > p.z() + kSeenThrough_m) ++counts.free;
-    else ++counts.surface;
+    if (z < p.z() - kOccluder_m)
+      ++counts.occluded;
+    else if (z > p.z() + kSeenThrough_m)
+      ++counts.free;
+    else
+      ++counts.surface;
   }
   return counts;
 }

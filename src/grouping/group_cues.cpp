@@ -12,9 +12,9 @@ namespace {
 
 // Samples of all that is seen: the cues are shares, a few thousand points tell them to a percent.
 constexpr std::size_t kPoints = 2500, kEdges = 1500;
-constexpr int kOutlinePixels = 200;      // of a piece
-constexpr std::size_t kFaces = 3;        // pieces whose normals a tilted box may follow
-constexpr float kFlat = 0.95f;           // length of the mean normal of a flat piece
+constexpr int kOutlinePixels = 200;  // of a piece
+constexpr std::size_t kFaces = 3;    // pieces whose normals a tilted box may follow
+constexpr float kFlat = 0.95f;       // length of the mean normal of a flat piece
 constexpr double kMinSize_m = 0.005;
 
 /// In the table frame, as are the points.

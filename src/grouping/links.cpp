@@ -11,16 +11,16 @@ constexpr int kOutlinePixels = 64;  // of a piece: gaps are wide, their cues are
 }  // namespace
 
 std::vector<PairEvidence> findPairEvidence(const Frame& frame, const Normals& normals, const Table& table,
-                                           const Superpixels& superpixels, const Pieces& pieces,
-                                           const Borders& borders, const LinksConfig& config) {
+                                           const Superpixels& superpixels, const Pieces& pieces, const Borders& borders,
+                                           const LinksConfig& config) {
   std::vector<PairEvidence> evidence;
   const std::vector<std::vector<int>> outlines = outlinePixels(pieces, kOutlinePixels);
   for (int first = 0; first < pieces.count(); ++first) {
     for (int second = first + 1; second < pieces.count(); ++second) {
       const auto border = borders.pairs.find({first, second});
       if (border != borders.pairs.end() && !border->second.samples.empty()) {
-        evidence.push_back({first, second,
-                            findContactCues(frame, normals, table, superpixels, pieces, borders, first, second)});
+        evidence.push_back(
+            {first, second, findContactCues(frame, normals, table, superpixels, pieces, borders, first, second)});
       } else if (const auto gap = findGapCues(frame, table, pieces, outlines, first, second, config.max_gap_m)) {
         evidence.push_back({first, second, *gap});
       }

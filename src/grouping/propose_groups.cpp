@@ -81,13 +81,16 @@ class Proposer {
             for (const int b : clusters[j]) sum += logit_[at(a, b)], most = std::max(most, p_[at(a, b)]);
           }
           if (most < kMinLink) continue;
-          const float value = linkage == 0 ? sum : linkage == 1 ? sum / (clusters[i].size() * clusters[j].size()) : most;
+          const float value = linkage == 0   ? sum
+                              : linkage == 1 ? sum / (clusters[i].size() * clusters[j].size())
+                                             : most;
           if (value > best) best = value, bi = i, bj = j;
         }
       }
       if (bi == bj) break;
       Group joined;
-      std::merge(clusters[bi].begin(), clusters[bi].end(), clusters[bj].begin(), clusters[bj].end(), std::back_inserter(joined));
+      std::merge(clusters[bi].begin(), clusters[bi].end(), clusters[bj].begin(), clusters[bj].end(),
+                 std::back_inserter(joined));
       groups_.insert(joined);
       clusters[bi] = joined;
       clusters.erase(clusters.begin() + bj);
@@ -125,7 +128,8 @@ class Proposer {
       }
     }
     for (int k = 0; k < count_; ++k) {
-      if (!std::binary_search(group.begin(), group.end(), k) && strongest(group, k) > 0.3f) groups_.insert(with(group, k));
+      if (!std::binary_search(group.begin(), group.end(), k) && strongest(group, k) > 0.3f)
+        groups_.insert(with(group, k));
     }
   }
 

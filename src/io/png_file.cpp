@@ -81,8 +81,7 @@ Result<cv::Mat> readPng(const std::string& path, PngKind kind) {
   }
   if (kind != PngKind::kColor && (header.bits != 16 || header.channels() != 1)) {
     const char* meaning = kind == PngKind::kDepth ? "depth in millimetres, 0 where there is none" : "a label a pixel";
-    return Image::error(StatusCode::kBadInput,
-                        "is " + header.text() + ", must be 16-bit with 1 channel: " + meaning);
+    return Image::error(StatusCode::kBadInput, "is " + header.text() + ", must be 16-bit with 1 channel: " + meaning);
   }
   try {
     cv::Mat image =

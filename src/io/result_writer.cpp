@@ -67,7 +67,9 @@ std::string toJson(const std::string& input, const Segmentation& result) {
   const bool has_table = result.table.d != 0;  // the camera never lies in the table's plane
   json["table"] = has_table ? toJson(result.table) : Json();
   json["objects"] = Json::array();
-  for (std::size_t k = 0; k < result.segments.size(); ++k) json["objects"].push_back(toJson(result.segments[k], k + kFirstObjectLabel));
+  for (std::size_t k = 0; k < result.segments.size(); ++k) {
+    json["objects"].push_back(toJson(result.segments[k], k + kFirstObjectLabel));
+  }
   json["report"] = toJson(result.report);
   // A file name need not be UTF-8: what is not is replaced.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -9,13 +9,14 @@
 
 #include <limits>
 
+#include "objectness_segmentation/common/angles.hpp"
+
 namespace objectness {
 namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr double kDegree = 3.14159265358979323846 / 180;
 
 /// The frame's points where `mask` is not zero, NaN elsewhere; all of them without a mask.
 Cloud::Ptr toCloud(const Frame& frame, const cv::Mat_<uchar>& mask = {}) {

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "convex_parts.hpp"
+#include "guarded_segmentation.hpp"
 #include "mps.hpp"
 #include "quiet_pcl.hpp"
 
@@ -124,26 +125,14 @@ const char* toString(Peer peer) {
 }
 
 Segmentation segmentWithPeer(Peer peer, const Frame& frame, const Config& config, const PeersConfig& settings) {
-  Segmentation result;
-  result.labels = cv::Mat_<ushort>(frame.height(), frame.width(), static_cast<ushort>(0));
-  StageTimes total;
-  {
-    const StageTimer timer(total, "total");
-    try {
-      const std::string problem = problemOf(peer, config, settings);
-      if (!problem.empty()) {
-        result.status = Status::error(StatusCode::kBadConfig, problem);
-      } else {
-        run(peer, frame, config, settings, result);
-      }
-    } catch (const std::bad_alloc&) {
-      result.status = Status::error(StatusCode::kInternalError, "out of memory");
-    } catch (const std::exception& e) {
-      result.status = Status::error(StatusCode::kInternalError, e.what());
+  return guardedSegmentation(frame, [&](Segmentation& result) {
+    const std::string problem = problemOf(peer, config, settings);
+    if (problem.empty()) {
+      run(peer, frame, config, settings, result);
+    } else {
+      result.status = Status::error(StatusCode::kBadConfig, problem);
     }
-  }
-  result.report.timings_ms.push_back(total.front());
-  return result;
+  });
 }
 
 std::string settingsText(Peer peer, const PeersConfig& settings) {

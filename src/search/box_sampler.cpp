@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "objectness_segmentation/common/angles.hpp"
+
 namespace objectness {
 namespace {
 
@@ -26,7 +28,6 @@ Sampling samplingOf(const SearchConfig& config, double voxel_m) {
 
 std::vector<double> sampledAngles(const SearchConfig& config) {
   std::vector<double> angles;
-  constexpr double kDegree = 3.14159265358979323846 / 180.0;
   // The slack keeps a step like 90 / 7 from sampling 90 degrees itself, which is 0 degrees again.
   for (int k = 0; k * config.angle_step_deg < 90.0 - 1e-9; ++k) angles.push_back(k * config.angle_step_deg * kDegree);
   return angles;

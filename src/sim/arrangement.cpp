@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "objectness_segmentation/common/angles.hpp"
+
 namespace objectness::sim {
 namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kTries = 60;  // to put down one thing
 constexpr double kTableMargin_m = 0.01;
 constexpr double kMaxTouchingGap_m = 0.002;

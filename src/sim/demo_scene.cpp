@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/sim/demo_scene.hpp"
 
+#include "objectness_segmentation/common/angles.hpp"
 #include "objectness_segmentation/sim/profiles.hpp"
 #include "objectness_segmentation/sim/random.hpp"
 
@@ -9,7 +10,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kTableHeight_m = 0.72, kTableThickness_m = 0.03;
 constexpr double kJitter_m = 0.008, kJitter_deg = 6;  // small enough for the gaps between the objects
 
@@ -48,7 +48,7 @@ Scene makeDemoScene(std::uint32_t seed) {
     const double x = item.x + random.uniform(-kJitter_m, kJitter_m);
     const double y = item.y + random.uniform(-kJitter_m, kJitter_m);
     const double yaw_deg = item.yaw_deg + random.uniform(-kJitter_deg, kJitter_deg);
-    const int label = 20 + 10 * static_cast<int>(scene.objects.size());
+    const int label = objectLabel(scene.objects.size());
     const Body body = place(item.shape, x, y, 0, yaw_deg, item.color, label);
     const Eigen::AlignedBox3d box = bounds(item.shape);
     scene.bodies.push_back(body);

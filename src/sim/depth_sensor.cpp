@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "objectness_segmentation/common/angles.hpp"
 #include "objectness_segmentation/common/parallel.hpp"
 #include "objectness_segmentation/sim/random.hpp"
 
@@ -12,7 +13,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kAxialWindow_px = 3, kLateralWindow_px = 9, kLossWindow_px = 3;
 // The formulas of [N] have a pole at 90 deg.
 constexpr double kSteepest_rad = 85 * kPi / 180;

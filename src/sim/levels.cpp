@@ -16,7 +16,7 @@ const std::vector<Level>& levels() {
       {"occluded", "things of all kinds behind one another", 3, 8, every, {1, 2, 0, 0, 0}, 0.01, 0.15, 0.7},
       {"touching", "things side by side with gaps of up to 2 mm", 3, 8, every, {1, 0, 2, 0, 0}, 0.01, 0.15, 1},
       {"stacked", "things on top of boxes and cylinders", 3, 8, to_stack, {1, 0, 0, 2, 0}, 0.01, 0.15, 1},
-      {"leaning", "books and boards that lean at boxes and cylinders", 2, 8, to_lean_at, {1, 0, 0, 0, 1}, 0.01, 0.15, 1},
+      {"leaning", "books and boards that lean at other things", 2, 8, to_lean_at, {1, 0, 0, 0, 1}, 0.01, 0.15, 1},
       {"clutter", "all of this, close together", 10, 20, every, {1, 1, 1.5, 1, 0.5}, 0.003, 0, 1}};
   // clang-format on
   return all;

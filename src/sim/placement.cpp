@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "objectness_segmentation/common/angles.hpp"
+
 namespace objectness::sim {
 namespace {
 
@@ -12,7 +14,6 @@ using Eigen::Isometry3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kFar_m = 1;  // two things this far from each other have a gap
 constexpr int kBisections = 50;
 constexpr double kMostOffset = 0.15;  // of what is stacked from its support's middle, as a share of the support's width

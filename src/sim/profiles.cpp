@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "objectness_segmentation/common/angles.hpp"
+
 namespace objectness::sim {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kHandlePieces = 8;
 
 double leg(double hypotenuse, double other) {

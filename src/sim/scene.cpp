@@ -3,12 +3,9 @@
 
 #include <cmath>
 
+#include "objectness_segmentation/common/angles.hpp"
+
 namespace objectness::sim {
-namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-
-}  // namespace
 
 Eigen::Isometry3d lookAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& target) {
   const Eigen::Vector3d forward = (target - eye).normalized();

@@ -13,7 +13,6 @@ namespace {
 constexpr int kAttempts = 1000;  // at a whole scene, each with a little more room than the one before
 constexpr double kMoreRoom = 0.001;
 constexpr int kCoarse_px = 96;  // width of the picture that shows who hides whom
-constexpr int kFirstLabel = 20;
 
 Result<Scene> bad(const std::string& message) { return Result<Scene>::error(StatusCode::kBadConfig, message); }
 
@@ -41,7 +40,7 @@ Scene assemble(const std::string& level, const std::vector<Body>& room, const st
                const Viewpoint& viewpoint, Random& random) {
   Scene scene{level, room, {}, viewpoint.T_world_camera, viewpoint.target};
   for (const Placed& placed : things) {
-    const int label = kFirstLabel + 10 * static_cast<int>(scene.objects.size());
+    const int label = objectLabel(scene.objects.size());
     const cv::Vec3b color = drawColor(random);
     for (const Shape& part : placed.thing.parts) {
       scene.bodies.push_back({part, placed.T_world_thing, color, static_cast<ushort>(label)});

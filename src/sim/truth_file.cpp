@@ -51,9 +51,9 @@ std::string truthText(const SimulatedFrame& frame) {
   YAML::Emitter out;
   out.SetDoublePrecision(kDigits);
   out << YAML::Comment(
-             "Metres, camera's optical frame. box: [u0, v0, u1, v1] of the label, u1 and v1 just outside; seed: [u, "
-             "v]\n"
-             "within it; visible: share of its surface that nothing covers. What is hidden is void (0) in labels.png.")
+             "Metres, camera's optical frame. box: [u0, v0, u1, v1] of the label, u1 and v1 just outside; seed:\n"
+             "[u, v] within it; visible: share of its surface that nothing covers. What is hidden is void (0)\n"
+             "in labels.png.")
       << YAML::BeginMap << YAML::Key << "level" << YAML::Value << frame.level;
   out << YAML::Key << "table" << YAML::Value << YAML::BeginMap << YAML::Key << "normal" << YAML::Value
       << frame.table_normal << YAML::Key << "distance_m" << YAML::Value << frame.table_distance_m << YAML::EndMap;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "objectness_segmentation/common/angles.hpp"
 #include "objectness_segmentation/sim/scene.hpp"
 #include "objectness_segmentation/sim/scene_generator.hpp"
 
@@ -12,7 +13,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kMaxTurn_deg = 35;  // from the table's own front; the wall stays behind the table
 constexpr double kMaxRoll_deg = 3;
 constexpr double kTargetHeight_m = 0.05;

@@ -24,6 +24,9 @@ bool isAssignment(const std::string& text) {
 
 void addConfigOptions(po::options_description& options) {
   auto add = options.add_options();
+  add("method", po::value<std::string>()->value_name("NAME"),
+      "objectness: groups of superpixels of any height and tilt, judged by what was learned (the default); paper: the "
+      "paper's boxes, weighed by hand (grouping.enabled)");
   add("config", po::value<std::string>()->value_name("FILE.yaml"), "preset of parameters (group: {field: value})");
   add("set", po::value<std::vector<std::string>>()->value_name("NAME=VALUE")->composing(),
       "set a parameter after the preset, as group.field=value; may be repeated, and more may follow each");
@@ -44,6 +47,14 @@ Status readConfigOptions(const po::variables_map& values, std::vector<std::strin
         std::stable_partition(inputs.begin(), inputs.end(), [](const auto& i) { return !isAssignment(i); });
     std::move(first, inputs.end(), std::back_inserter(assignments));
     inputs.erase(first, inputs.end());
+  }
+  if (values.count("method")) {
+    const auto method = values["method"].as<std::string>();
+    if (method != "objectness" && method != "paper") {
+      return Status::error(StatusCode::kBadConfig,
+                           "--method " + method + ": there are only the methods 'objectness' and 'paper'");
+    }
+    assignments.push_back(std::string("grouping.enabled=") + (method == "paper" ? "false" : "true"));
   }
   for (const char* name : {"threads", "seed"}) {
     if (values.count(name))

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <sstream>
 
+#include "command_line.hpp"
 #include "objectness_segmentation/evaluation/methods.hpp"
 
 namespace objectness::evaluation {
@@ -30,8 +31,8 @@ constexpr const char* kExamples =
     "Examples:\n"
     "  evaluate --report report scenes/\n"
     "  evaluate --method paper --method boxes --level object --level part --jobs 4 --report report scenes/\n"
-    "  parallel evaluate --shard {}/8 --report part{} scenes/ ::: 1 2 3 4 5 6 7 8; evaluate merge --report report "
-    "part?\n"
+    "  parallel evaluate --shard {}/8 --report part{} scenes/ ::: 1 2 3 4 5 6 7 8\n"
+    "  evaluate merge --report report part?\n"
     "\n"
     "Exit status: 0 all evaluated, 1 some scene could not be used, some method failed in a scene (it then counts as\n"
     "having found nothing there), or the report could not be written; 2 wrong command line.\n";
@@ -70,89 +71,84 @@ po::options_description shownOptions() {
   return options;
 }
 
-po::variables_map parse(int argc, const char* const* argv) {
-  po::options_description all = shownOptions();
-  all.add_options()("input", po::value<std::vector<std::string>>());
-  po::positional_options_description positional;
-  positional.add("input", -1);
-  // Abbreviated options would change their meaning when an option is added.
-  const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
-  po::variables_map values;
-  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(), values);
-  po::notify(values);
-  return values;
-}
-
 bool parseShard(const std::string& text, int& shard, int& shards) {
   char rest = 0;
   return std::sscanf(text.c_str(), "%d/%d%c", &shard, &shards, &rest) == 2 && shards >= 1 && shards <= kMostShards &&
          shard >= 1 && shard <= shards;
 }
 
-Result<EvaluateOptions> interpret(const po::variables_map& values) {
-  const auto text = [&](const char* name) {
-    return values.count(name) ? values[name].as<std::string>() : std::string();
-  };
-  const auto list = [&](const char* name) {
-    return values.count(name) ? values[name].as<std::vector<std::string>>() : std::vector<std::string>();
-  };
-  Result<EvaluateOptions> result;
-  EvaluateOptions& options = result.value;
-  if (values["help"].as<bool>()) {
-    std::ostringstream help;
-    help << kIntroduction << shownOptions() << kExamples;
-    options.print = help.str();
-    return result;
-  }
-  options.report = text("report");
-  options.groups_file = text("groups");
-  options.inputs = list("input");
-  options.jobs = values["jobs"].as<int>();
-  options.threads = values["threads"].as<int>();
-  if (!options.inputs.empty() && options.inputs.front() == "merge") {
-    options.merge = true;
+// What the options say is read in parts; each returns what is wrong, empty when nothing is.
+
+std::string readPlaces(const po::variables_map& values, EvaluateOptions& options) {
+  options.report = textOf(values, "report");
+  options.groups_file = textOf(values, "groups");
+  options.inputs = listOf(values, "input");
+  options.merge = !options.inputs.empty() && options.inputs.front() == "merge";
+  if (options.merge) {
     options.inputs.erase(options.inputs.begin());
     for (const char* name : {"method", "level", "jobs", "threads", "shard", "groups"}) {
       if (values.count(name) && !values[name].defaulted()) {
-        return bad(std::string("--") + name + ": merge takes it from the shards");
+        return std::string("--") + name + ": merge takes it from the shards";
       }
     }
+    if (options.inputs.empty()) return "no SHARD_DIR given: name the report folders of all shards";
   }
+  return options.report.empty() ? "no --report DIR given: where shall the report go?" : "";
+}
 
-  options.methods = list("method");
+std::string readMethodsAndLevels(const po::variables_map& values, EvaluateOptions& options) {
+  options.methods = listOf(values, "method");
   if (options.methods.empty()) options.methods = methodNames();
   const auto methods = makeMethods(options.methods, 1);
-  if (!methods.ok()) return bad("--method: " + methods.status.message);
-  for (const std::string& level : list("level")) {
-    if (level != "object" && level != "part") return bad("--level " + level + ": must be object or part");
+  if (!methods.ok()) return "--method: " + methods.status.message;
+  for (const std::string& level : listOf(values, "level")) {
+    if (level != "object" && level != "part") return "--level " + level + ": must be object or part";
     const Level value = level == "object" ? Level::kObject : Level::kPart;
     if (std::find(options.levels.begin(), options.levels.end(), value) == options.levels.end()) {
       options.levels.push_back(value);
     }
   }
   if (options.levels.empty()) options.levels = {Level::kObject};
-  if (options.jobs < 1 || options.jobs > kMostJobs) {
-    return bad("--jobs " + std::to_string(options.jobs) + ": must be within 1 and " + std::to_string(kMostJobs));
+  return "";
+}
+
+std::string readNumber(const po::variables_map& values, const std::string& name, int least, int most, int& number) {
+  number = values[name].as<int>();
+  if (number >= least && number <= most) return "";
+  return "--" + name + " " + std::to_string(number) + ": must be within " + std::to_string(least) + " and " +
+         std::to_string(most);
+}
+
+std::string readWork(const po::variables_map& values, EvaluateOptions& options) {
+  std::string problem = readNumber(values, "jobs", 1, kMostJobs, options.jobs);
+  if (problem.empty()) problem = readNumber(values, "threads", 0, kMostThreads, options.threads);
+  const std::string shard = textOf(values, "shard");
+  if (problem.empty() && values.count("shard") && !parseShard(shard, options.shard, options.shards)) {
+    problem = "--shard " + shard + ": must be K/N with 1 <= K <= N, as 2/8";
   }
-  if (options.threads < 0 || options.threads > kMostThreads) {
-    return bad("--threads " + std::to_string(options.threads) + ": must be within 0 and " +
-               std::to_string(kMostThreads));
+  return problem;
+}
+
+Result<EvaluateOptions> interpret(const po::variables_map& values) {
+  Result<EvaluateOptions> options;
+  if (values["help"].as<bool>()) {
+    std::ostringstream help;
+    help << kIntroduction << shownOptions() << kExamples;
+    options.value.print = help.str();
+    return options;
   }
-  if (values.count("shard") && !parseShard(text("shard"), options.shard, options.shards)) {
-    return bad("--shard " + text("shard") + ": must be K/N with 1 <= K <= N, as 2/8");
+  for (const auto read : {readPlaces, readMethodsAndLevels, readWork}) {
+    const std::string problem = read(values, options.value);
+    if (!problem.empty()) return bad(problem);
   }
-  if (options.report.empty()) return bad("no --report DIR given: where shall the report go?");
-  if (options.merge && options.inputs.empty()) {
-    return bad("no SHARD_DIR given: name the report folders of all shards");
-  }
-  return result;
+  return options;
 }
 
 }  // namespace
 
 Result<EvaluateOptions> parseEvaluateOptions(int argc, const char* const* argv) {
   try {
-    return interpret(parse(argc, argv));
+    return interpret(parseCommandLine(argc, argv, shownOptions(), Inputs::kAny));
   } catch (const po::error& e) {
     return bad(e.what());
   }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <iostream>
 
+#include "tool_message.hpp"
+
 namespace objectness::evaluation {
 namespace {
 
@@ -61,11 +63,6 @@ void ProgressDisplay::show(const Progress& progress) {
   printLine(std::to_string(progress.done) + " of " + std::to_string(progress.total) + " done" + remaining(progress));
 }
 
-void printLine(const std::string& message) {
-  std::string line = "evaluate: " + message;
-  std::replace_if(
-      line.begin(), line.end(), [](unsigned char c) { return c < ' '; }, ' ');
-  std::cerr << line << std::endl;
-}
+void printLine(const std::string& message) { printToolMessage("evaluate", message); }
 
 }  // namespace objectness::evaluation

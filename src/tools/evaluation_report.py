@@ -200,8 +200,8 @@ def proposal_tables(report):
                      table(["group", "precision", "recall", "boxes a scene"], rows))
     if not parts:
         return ""
-    return ("<h2>Proposals</h2><p>Share of the true objects that one of the first 1, 5, ... boxes overlaps in space, of "
-            "the method's boxes by objectness and of a fixed list that knows only the table.</p>") + "\n".join(parts)
+    return ("<h2>Proposals</h2><p>Share of the true objects that one of the first 1, 5, ... boxes overlaps in space, "
+            "of the method's boxes by objectness and of a fixed list that knows only the table.</p>") + "\n".join(parts)
 
 
 def cell(name, value):

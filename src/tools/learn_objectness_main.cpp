@@ -3,12 +3,15 @@
 #include <unistd.h>
 
 #include <boost/program_options.hpp>
+#include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <map>
 
+#include "command_line.hpp"
 #include "objectness_segmentation/evaluation/learn.hpp"
+#include "tool_message.hpp"
 
 namespace {
 
@@ -19,11 +22,12 @@ using namespace objectness::evaluation;
 constexpr const char* kIntroduction =
     "Learns how much a group of superpixels looks like one whole object, from scenes whose objects are known.\n\n"
     "  learn_objectness --out MODEL.json [OPTION...] SCENES...\n\n"
-    "SCENES are scene folders with labels.png, or folders of such. Prints how well scenes are segmented by models that\n"
+    "SCENES are scene folders with labels.png, or folders of such. Prints how well scenes are segmented by models "
+    "that\n"
     "were learned without them (cross-validation), by group.\n\n";
 
 int fail(const std::string& message, int status) {
-  std::cerr << "learn_objectness: " << message << std::endl;
+  printToolMessage("learn_objectness", message);
   return status;
 }
 
@@ -51,10 +55,9 @@ void printScores(const std::vector<HeldOutScores>& held_out) {
 }
 
 int run(const po::variables_map& values) {
-  const auto inputs = values.count("input") ? values["input"].as<std::vector<std::string>>() : std::vector<std::string>();
+  const std::vector<std::string> inputs = listOf(values, "input");
   if (inputs.empty()) return fail("no SCENES given (learn_objectness --help)", 2);
-  const Result<SceneList> list =
-      findScenes(inputs, values.count("groups") ? values["groups"].as<std::string>() : std::string());
+  const Result<SceneList> list = findScenes(inputs, textOf(values, "groups"));
   if (!list.ok()) return fail(list.status.message, 1);
   for (const std::string& error : list.value.errors) fail(error, 1);
   if (!list.value.errors.empty()) return 1;
@@ -64,13 +67,19 @@ int run(const po::variables_map& values) {
   settings.threads = values["threads"].as<int>();
   if (settings.threads < 0) return fail("--threads must not be negative", 2);
   if (settings.folds < 2) return fail("--folds must be at least 2", 2);
+  if (const int weight = values["recorded-weight"].as<int>(); weight != 1) {
+    for (const Scene& scene : list.value.scenes) {
+      if (!std::filesystem::exists(scene.folder + "/pose.yaml")) settings.weights[scene.folder] = weight;
+    }
+  }
   const bool terminal = isatty(STDERR_FILENO);
   settings.progress = [&](const std::string& stage, std::size_t done, std::size_t of) {
-    if (terminal) std::cerr << "\r\033[K" << stage << " " << done << "/" << of << (done == of ? "\n" : "") << std::flush;
+    if (terminal)
+      std::cerr << "\r\033[K" << stage << " " << done << "/" << of << (done == of ? "\n" : "") << std::flush;
   };
   Result<LearnedModel> learned = learn(list.value.scenes, settings);
   if (!learned.ok()) return fail(learned.status.message, 1);
-  for (const std::string& note : learned.value.notes) std::cerr << "learn_objectness: left out: " << note << std::endl;
+  for (const std::string& note : learned.value.notes) fail("left out: " + note, 0);
   learned.value.model.trained_on = values["note"].as<std::string>();
   std::cout << list.value.scenes.size() << " scenes; samples: " << learned.value.contacts << " contacts, "
             << learned.value.gaps << " gaps, " << learned.value.groups << " groups\n";
@@ -86,26 +95,24 @@ int run(const po::variables_map& values) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  po::options_description options("Options"), all;
+  po::options_description options("Options");
   auto add = options.add_options();
-  add("out", po::value<std::string>()->value_name("MODEL.json")->required(), "the model");
+  add("out", po::value<std::string>()->value_name("MODEL.json"), "the model");
   add("note", po::value<std::string>()->value_name("TEXT")->default_value(""),
       "what it was learned from, in words; kept in the model");
   add("groups", po::value<std::string>()->value_name("FILE.csv"), "groups of the scenes (columns scene, group)");
+  add("recorded-weight", po::value<int>()->value_name("N")->default_value(1),
+      "scenes that make_scene did not make (without pose.yaml) count N times");
   add("folds", po::value<int>()->value_name("N")->default_value(5), "of the cross-validation");
   add("threads", po::value<int>()->value_name("N")->default_value(2), "worker threads, 0: one per processor");
   add("help,h", "print this");
-  all.add(options).add_options()("input", po::value<std::vector<std::string>>());
-  po::positional_options_description positional;
-  positional.add("input", -1);
   try {
-    po::variables_map values;
-    po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), values);
+    const po::variables_map values = parseCommandLine(argc, argv, options, Inputs::kAny);
     if (values.count("help")) {
       std::cout << kIntroduction << options;
       return 0;
     }
-    po::notify(values);
+    if (textOf(values, "out").empty()) return fail("no --out MODEL.json given (learn_objectness --help)", 2);
     return run(values);
   } catch (const po::error& e) {
     return fail(std::string(e.what()) + " (learn_objectness --help)", 2);

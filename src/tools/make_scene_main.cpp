@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Simulates scenes with their truth: see `make_scene --help`.
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -12,6 +11,7 @@
 #include "objectness_segmentation/sim/demo_scene.hpp"
 #include "objectness_segmentation/sim/scene_generator.hpp"
 #include "objectness_segmentation/sim/simulated_frame.hpp"
+#include "tool_message.hpp"
 
 namespace {
 
@@ -84,7 +84,7 @@ std::string makeScene(const std::string& level, int index, const MakeSceneOption
   }
 }
 
-void printError(const std::string& message) { std::cerr << "make_scene: " << message << std::endl; }
+void printError(const std::string& message) { printToolMessage("make_scene", message); }
 
 /// Many scenes, and the list of their groups for evaluations.
 ExitStatus makeScenes(const MakeSceneOptions& options) {

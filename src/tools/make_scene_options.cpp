@@ -4,6 +4,7 @@
 #include <boost/program_options.hpp>
 #include <sstream>
 
+#include "command_line.hpp"
 #include "objectness_segmentation/io/camera_yaml.hpp"
 #include "objectness_segmentation/sim/scene_generator.hpp"
 
@@ -23,10 +24,9 @@ constexpr const char* kIntroduction =
     "  make_scene --demo | --level NAME|all [OPTION...] --out DIR | --bag FILE.bag\n"
     "\n"
     "A scene is a folder: depth.png (16-bit millimetres), color.png, camera.yaml, labels.png (0 void, 1 table,\n"
-    "20, 30, ... objects), objects.yaml (table, and of each object kind, extent in the picture, visible share, pose "
-    "and\n"
-    "size) and pose.yaml (of the camera). A bag has the topics of a camera driver, and the truth on /truth/labels and\n"
-    "/truth/objects. The same options give the same files.\n"
+    "20, 30, ... objects), objects.yaml (table, and of each object kind, extent in the picture, visible share, pose\n"
+    "and size) and pose.yaml (of the camera). A bag has the topics of a camera driver, and the truth on\n"
+    "/truth/labels and /truth/objects. The same options give the same files.\n"
     "\n";
 
 constexpr const char* kExamples =
@@ -59,7 +59,7 @@ po::options_description shownOptions() {
   add("size", text("WIDTHxHEIGHT"), "scale the camera to another image width; the height is cut or grows");
   add("table", text("SIZE"), "metres: WIDTHxDEPTHxHEIGHT or round:DIAMETERxHEIGHT (otherwise drawn at random)");
   add("table-share", po::value<double>()->value_name("X"),
-      "least share of the picture that table and objects fill, 0 to 0.9 (0.4); less means more floor");
+      "least share of the picture that table and objects fill, 0 to 0.9 (0.15); more means less floor");
   add("out", text("DIR"), "folder for the scene or scenes, made when missing");
   add("bag", text("FILE.bag"), "the scene as a recording, replaced when it exists");
   add("help,h", po::bool_switch(), "print this");
@@ -104,67 +104,81 @@ Result<PinholeCamera> resize(const PinholeCamera& camera, const std::string& tex
            (camera.cy + 0.5 - camera.height / 2.0) * scale + height / 2.0 - 0.5, width, height}};
 }
 
-Options interpret(const po::variables_map& values) {
-  const auto text = [&](const char* name) {
-    return values.count(name) ? values[name].as<std::string>() : std::string();
-  };
-  Options options;
-  MakeSceneOptions& o = options.value;
-  if (values["help"].as<bool>()) {
-    std::ostringstream help;
-    help << kIntroduction << shownOptions() << kExamples;
-    o.print = help.str();
-    return options;
-  }
-  if (values["list"].as<bool>()) {
-    o.print = listLevels();
-    return options;
-  }
-  const bool demo = values["demo"].as<bool>(), all = text("level") == "all";
-  if (demo == (values.count("level") > 0)) return bad("give either --demo or --level NAME");
-  if (all) {
-    for (const Level& level : levels()) o.levels.push_back(level.name);
-  } else if (!demo) {
-    if (!findLevel(text("level"))) return bad("--level " + text("level") + ": must be all, " + levelNames());
-    o.levels.push_back(text("level"));
+// What the options say is read in parts; each returns what is wrong, empty when nothing is.
+
+std::string readScenes(const po::variables_map& values, MakeSceneOptions& o) {
+  const std::string level = textOf(values, "level");
+  const bool demo = values["demo"].as<bool>(), all = level == "all";
+  if (demo == (values.count("level") > 0)) return "give either --demo or --level NAME";
+  if (!demo && !all && !findLevel(level)) return "--level " + level + ": must be all, " + levelNames();
+  for (const Level& known : levels()) {
+    if (all || known.name == level) o.levels.push_back(known.name);
   }
   for (const std::string& problem :
        {readNumber(values, "objects", 0, kMaxObjects, o.objects), readNumber(values, "count", 1, kMaxCount, o.count),
         readNumber(values, "frames", 1, kMaxCount, o.frames), readNumber(values, "seed", 0, 4294967295, o.seed)}) {
-    if (!problem.empty()) return bad(problem);
+    if (!problem.empty()) return problem;
   }
   if (demo && (o.objects || o.count || values.count("table") || values.count("table-share"))) {
-    return bad("--objects, --count, --table and --table-share belong to --level: the demo scene has its own");
+    return "--objects, --count, --table and --table-share belong to --level: the demo scene has its own";
   }
-  if (all && !o.count) return bad("--level all needs --count N: how many scenes of each level?");
-  if (o.count && o.frames) return bad("--count and --frames exclude each other: a sequence is of one scene");
+  if (all && !o.count) return "--level all needs --count N: how many scenes of each level?";
+  if (o.count && o.frames) return "--count and --frames exclude each other: a sequence is of one scene";
   if (values.count("table")) {
-    const Result<TableSize> table = parseTable(text("table"));
-    if (!table.ok()) return bad("--table: " + table.status.message);
+    const Result<TableSize> table = parseTable(textOf(values, "table"));
+    if (!table.ok()) return "--table: " + table.status.message;
     o.table = table.value;
   }
   if (values.count("table-share")) {
     o.table_share = values["table-share"].as<double>();
-    if (!(*o.table_share >= 0 && *o.table_share <= 0.9)) return bad("--table-share must be 0 to 0.9");
+    if (!(*o.table_share >= 0 && *o.table_share <= 0.9)) return "--table-share must be 0 to 0.9";
   }
+  return "";
+}
+
+std::string readSensor(const po::variables_map& values, MakeSceneOptions& o) {
   if (values.count("camera")) {
-    const Result<PinholeCamera> camera = loadCamera(text("camera"));
-    if (!camera.ok()) return bad("--camera " + text("camera") + ": " + camera.status.message);
+    const std::string path = textOf(values, "camera");
+    const Result<PinholeCamera> camera = loadCamera(path);
+    if (!camera.ok()) return "--camera " + path + ": " + camera.status.message;
     o.sensor.camera = camera.value;
   }
   if (values.count("size")) {
-    const Result<PinholeCamera> camera = resize(o.sensor.camera, text("size"));
-    if (!camera.ok()) return bad(camera.status.message);
+    const Result<PinholeCamera> camera = resize(o.sensor.camera, textOf(values, "size"));
+    if (!camera.ok()) return camera.status.message;
     o.sensor.camera = camera.value;
   }
   o.sensor.ideal = values["ideal"].as<bool>();
+  return "";
+}
+
+std::string readOutput(const po::variables_map& values, MakeSceneOptions& o) {
   if (values.count("rate")) o.rate_hz = values["rate"].as<double>();
-  if (!(o.rate_hz >= kMinRate_hz && o.rate_hz <= kMaxRate_hz)) return bad("--rate: must be 0.01 to 1000 Hz");
-  o.out = text("out");
-  o.bag = text("bag");
-  if (o.out.empty() && o.bag.empty()) return bad("neither --out DIR nor --bag FILE given: where shall the scene go?");
-  if (o.count && !o.bag.empty()) return bad("--count and --bag exclude each other: a bag is of one scene");
-  if (values.count("rate") && o.bag.empty()) return bad("--rate belongs to --bag");
+  if (!(o.rate_hz >= kMinRate_hz && o.rate_hz <= kMaxRate_hz)) return "--rate: must be 0.01 to 1000 Hz";
+  o.out = textOf(values, "out");
+  o.bag = textOf(values, "bag");
+  if (o.out.empty() && o.bag.empty()) return "neither --out DIR nor --bag FILE given: where shall the scene go?";
+  if (o.count && !o.bag.empty()) return "--count and --bag exclude each other: a bag is of one scene";
+  if (values.count("rate") && o.bag.empty()) return "--rate belongs to --bag";
+  return "";
+}
+
+Options interpret(const po::variables_map& values) {
+  Options options;
+  if (values["help"].as<bool>()) {
+    std::ostringstream help;
+    help << kIntroduction << shownOptions() << kExamples;
+    options.value.print = help.str();
+    return options;
+  }
+  if (values["list"].as<bool>()) {
+    options.value.print = listLevels();
+    return options;
+  }
+  for (const auto read : {readScenes, readSensor, readOutput}) {
+    const std::string problem = read(values, options.value);
+    if (!problem.empty()) return bad(problem);
+  }
   return options;
 }
 
@@ -172,12 +186,7 @@ Options interpret(const po::variables_map& values) {
 
 Result<MakeSceneOptions> parseMakeSceneOptions(int argc, const char* const* argv) {
   try {
-    // Abbreviated options would change their meaning when an option is added.
-    const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
-    po::variables_map values;
-    po::store(po::command_line_parser(argc, argv).options(shownOptions()).positional({}).style(style).run(), values);
-    po::notify(values);
-    return interpret(values);
+    return interpret(parseCommandLine(argc, argv, shownOptions(), Inputs::kNone));
   } catch (const po::error& e) {
     return bad(e.what());
   }

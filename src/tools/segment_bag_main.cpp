@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The nodelet's results for every cloud of a bag: see `segment_bag --help`.
-#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <iostream>
 
 #include "segment_bag_options.hpp"
+#include "tool_message.hpp"
 
 namespace {
 
@@ -16,12 +16,7 @@ enum ExitStatus { kAllDone = 0, kSomeFailed = 1, kUsageError = 2 };
 std::atomic<bool> interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
 
-void printError(const std::string& message) {
-  std::string line = "segment_bag: " + message;
-  std::replace_if(
-      line.begin(), line.end(), [](unsigned char c) { return c < ' '; }, ' ');
-  std::cerr << line << std::endl;
-}
+void printError(const std::string& message) { objectness::printToolMessage("segment_bag", message); }
 
 void printFrame(const BagFrame& frame, std::size_t count) {
   std::printf("cloud %zu/%zu, stamp %u.%09u: ", frame.number, count, frame.stamp.sec, frame.stamp.nsec);

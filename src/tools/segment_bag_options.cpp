@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "command_line.hpp"
 #include "config_options.hpp"
 
 namespace objectness_segmentation {
@@ -14,52 +15,37 @@ namespace po = boost::program_options;
 using Options = objectness::Result<SegmentBagOptions>;
 
 constexpr const char* kIntroduction =
-    "Segments every cloud of a recorded bag: what the node /segment_objects would publish if it had all the time it "
-    "needs.\n"
+    "Segments every cloud of a recorded bag: what the node /segment_objects would publish if it had all the time\n"
+    "it needs.\n"
     "\n"
     "  segment_bag [OPTION...] --out OUT.bag IN.bag\n"
     "\n"
-    "OUT.bag holds /segment_objects/objects, /segment_objects/segments and /segment_objects/markers for every cloud, "
-    "at\n"
-    "the time of its stamp; play it together with IN.bag. No roscore is needed.\n"
+    "OUT.bag holds /segment_objects/objects, /segment_objects/segments and /segment_objects/markers for every\n"
+    "cloud, at the time of its stamp; play it together with IN.bag. No roscore is needed.\n"
     "\n";
 
 constexpr const char* kEnd =
     "\n"
     "The same bag, parameters and seed give the same file, with any number of threads: processing_time and\n"
     "dropped_frames are 0 in it.\n"
-    "Exit status: 0 every cloud has its result (no object on the table is one), 1 some have none, or the results "
-    "could\n"
-    "not be written; what was finished is kept; 2 wrong command line.\n";
+    "Exit status: 0 every cloud has its result (no object on the table is one), 1 some have none, or the results\n"
+    "could not be written; what was finished is kept; 2 wrong command line.\n";
 
 Options bad(const std::string& message) { return Options::error(objectness::StatusCode::kBadConfig, message); }
 
 po::options_description shownOptions() {
   po::options_description options("Options");
   auto add = options.add_options();
-  add("points", po::value<std::string>()->value_name("TOPIC")->default_value("", ""),
+  add("points", po::value<std::string>()->value_name("TOPIC"),
       "the clouds (default: the organized clouds with the most messages)");
-  add("camera-info", po::value<std::string>()->value_name("TOPIC")->default_value("", ""),
+  add("camera-info", po::value<std::string>()->value_name("TOPIC"),
       "their camera (default: the one with the nearest name)");
   add("approximate-sync", po::bool_switch(),
       "take the camera_info with the nearest stamp when none has the cloud's own");
   objectness::addConfigOptions(options);
-  add("out", po::value<std::string>()->value_name("OUT.bag")->default_value("", ""),
-      "the bag to write, replaced when it exists");
+  add("out", po::value<std::string>()->value_name("OUT.bag"), "the bag to write, replaced when it exists");
   add("help,h", po::bool_switch(), "print this");
   return options;
-}
-
-po::variables_map parse(int argc, const char* const* argv) {
-  po::options_description all = shownOptions();
-  all.add_options()("input", po::value<std::vector<std::string>>()->default_value({}, ""));
-  po::positional_options_description positional;
-  positional.add("input", -1);
-  const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
-  po::variables_map values;
-  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(), values);
-  po::notify(values);
-  return values;
 }
 
 Options interpret(const po::variables_map& values) {
@@ -71,12 +57,12 @@ Options interpret(const po::variables_map& values) {
     value.print = help.str();
     return options;
   }
-  auto inputs = values["input"].as<std::vector<std::string>>();
+  std::vector<std::string> inputs = objectness::listOf(values, "input");
   const auto status = objectness::readConfigOptions(values, inputs, value.settings.config);
   if (!status.ok()) return bad(status.message);
   value.settings.approximate_sync = values["approximate-sync"].as<bool>();
-  value.topics = {values["points"].as<std::string>(), values["camera-info"].as<std::string>()};
-  value.out = values["out"].as<std::string>();
+  value.topics = {objectness::textOf(values, "points"), objectness::textOf(values, "camera-info")};
+  value.out = objectness::textOf(values, "out");
   if (inputs.size() != 1) return bad("one IN.bag is needed, not " + std::to_string(inputs.size()));
   value.in = inputs[0];
   if (value.out.empty()) return bad("no --out OUT.bag given: where shall the results go?");
@@ -89,7 +75,7 @@ Options interpret(const po::variables_map& values) {
 
 Options parseSegmentBagOptions(int argc, const char* const* argv) {
   try {
-    return interpret(parse(argc, argv));
+    return interpret(objectness::parseCommandLine(argc, argv, shownOptions(), objectness::Inputs::kAny));
   } catch (const po::error& e) {
     return bad(e.what());
   }

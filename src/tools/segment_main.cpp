@@ -2,7 +2,6 @@
 // Segments scene folders and PCD files: see `segment --help`.
 #include <unistd.h>
 
-#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <iomanip>
@@ -15,6 +14,7 @@
 #include "objectness_segmentation/io/result_writer.hpp"
 #include "objectness_segmentation/pipeline.hpp"
 #include "segment_options.hpp"
+#include "tool_message.hpp"
 
 namespace {
 
@@ -40,12 +40,7 @@ class Progress {
   bool shown_;
 };
 
-void printError(const std::string& message) {
-  std::string line = "segment: " + message;
-  std::replace_if(
-      line.begin(), line.end(), [](unsigned char c) { return c < ' '; }, ' ');
-  std::cerr << line << std::endl;
-}
+void printError(const std::string& message) { printToolMessage("segment", message); }
 
 /// One input from file to results; a line of what was found in `summary`.
 Status segmentInput(const std::string& input, const std::string& folder, const SegmentOptions& options,

@@ -4,6 +4,7 @@
 #include <boost/program_options.hpp>
 #include <sstream>
 
+#include "command_line.hpp"
 #include "config_options.hpp"
 #include "objectness_segmentation/io/camera_yaml.hpp"
 #include "objectness_segmentation/io/config_yaml.hpp"
@@ -18,9 +19,8 @@ constexpr const char* kIntroduction =
     "\n"
     "  segment [OPTION...] --out DIR INPUT...\n"
     "\n"
-    "INPUT is a scene folder (depth.png: 16-bit millimetres, camera.yaml: as ROS camera_info, optional color.png) or "
-    "a\n"
-    ".pcd file. For each, DIR/NAME/labels.png (0 nothing, 1 table, 2 and above the objects, best first) and\n"
+    "INPUT is a scene folder (depth.png: 16-bit millimetres, camera.yaml: as ROS camera_info, optional color.png)\n"
+    "or a .pcd file. For each, DIR/NAME/labels.png (0 nothing, 1 table, 2 and above the objects, best first) and\n"
     "DIR/NAME/objects.json are written; NAME is the folder's name, or the file's without .pcd.\n"
     "\n";
 
@@ -30,8 +30,8 @@ constexpr const char* kExamples =
     "  segment --pictures --out results scene\n"
     "  segment --out results --camera camera.yaml list_of_points.pcd\n"
     "  segment --out results --set search.angle_step_deg=10 --set filter.threshold=0.8 scenes/*\n"
-    "  segment --print-config --set volume.min_extent_m=1 > preset.yaml; segment --config preset.yaml --out results "
-    "scene\n"
+    "  segment --print-config --set volume.min_extent_m=1 > preset.yaml\n"
+    "  segment --config preset.yaml --out results scene\n"
     "\n"
     "Exit status: 0 all inputs done (no object on the table is a result), 1 some input could not be used, or its\n"
     "results not written, 2 wrong command line.\n";
@@ -43,8 +43,6 @@ Result<SegmentOptions> bad(const std::string& message) {
 po::options_description shownOptions() {
   po::options_description options("Options");
   auto add = options.add_options();
-  add("method", po::value<std::string>()->value_name("NAME")->default_value("paper"),
-      "the method; there is only 'paper'");
   addConfigOptions(options);
   add("camera", po::value<std::string>()->value_name("CAMERA.yaml"),
       "the camera of .pcd files (otherwise recovered from the pixel grid) and of folders without camera.yaml");
@@ -56,23 +54,8 @@ po::options_description shownOptions() {
   return options;
 }
 
-po::variables_map parse(int argc, const char* const* argv) {
-  po::options_description all = shownOptions();
-  all.add_options()("input", po::value<std::vector<std::string>>());
-  po::positional_options_description positional;
-  positional.add("input", -1);
-  // Abbreviated options would change their meaning when an option is added.
-  const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
-  po::variables_map values;
-  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(), values);
-  po::notify(values);
-  return values;
-}
-
 Result<SegmentOptions> interpret(const po::variables_map& values) {
-  const auto text = [&](const char* name) {
-    return values.count(name) ? values[name].as<std::string>() : std::string();
-  };
+  const auto text = [&](const char* name) { return textOf(values, name); };
   const auto is_set = [&](const char* name) { return values[name].as<bool>(); };
 
   Result<SegmentOptions> options;
@@ -86,10 +69,8 @@ Result<SegmentOptions> interpret(const po::variables_map& values) {
     options.value.print = listParameters();
     return options;
   }
-  if (text("method") != "paper") return bad("--method " + text("method") + ": there is only the method 'paper'");
 
-  std::vector<std::string> inputs =
-      values.count("input") ? values["input"].as<std::vector<std::string>>() : std::vector<std::string>();
+  std::vector<std::string> inputs = listOf(values, "input");
   const Status status = readConfigOptions(values, inputs, options.value.config);
   if (!status.ok()) return bad(status.message);
   if (is_set("print-config")) {
@@ -114,7 +95,7 @@ Result<SegmentOptions> interpret(const po::variables_map& values) {
 
 Result<SegmentOptions> parseSegmentOptions(int argc, const char* const* argv) {
   try {
-    return interpret(parse(argc, argv));
+    return interpret(parseCommandLine(argc, argv, shownOptions(), Inputs::kAny));
   } catch (const po::error& e) {
     return bad(e.what());
   }

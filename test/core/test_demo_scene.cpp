@@ -3,21 +3,11 @@
 
 #include <map>
 
+#include "fixtures/demo_images.hpp"
 #include "objectness_segmentation/pipeline.hpp"
-#include "objectness_segmentation/sim/demo_scene.hpp"
-#include "objectness_segmentation/sim/simulated_frame.hpp"
 
 using namespace objectness;
 using namespace objectness::sim;
-
-namespace {
-
-SceneImages demoImages(std::uint32_t seed) {
-  const Scene scene = makeDemoScene(seed);
-  return simulateFrame(scene, scene.T_world_camera, DepthSensor(), seed).images;
-}
-
-}  // namespace
 
 TEST(DemoScene, HasEveryObjectAndItsShadow) {
   const SceneImages scene = demoImages(1);

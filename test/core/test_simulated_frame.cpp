@@ -70,6 +70,27 @@ TEST(SimulatedFrame, MeasuresWhatCanBeSeenOfAnObject) {
   EXPECT_TRUE(frame.objects[0].box.size_m.isApprox(Vector3d(0.2, 0.001, 0.1)));
 }
 
+TEST(SimulatedFrame, TheTableFillsTheShareThatIsAskedFor) {
+  SceneRequest request;
+  request.level = "shapes";
+  request.camera = {131.25, 131.25, 79.5, 59.5, 160, 120};
+  double least = 1;
+  for (const double share : {SceneRequest{}.min_table_share, 0.5}) {
+    request.min_table_share = share;
+    for (request.index = 0; request.index < 20; ++request.index) {
+      const Result<Scene> scene = generateScene(request);
+      ASSERT_TRUE(scene.ok()) << scene.status.message;
+      const SurfaceView view = viewSurfaces(scene.value.bodies, scene.value.T_world_camera, request.camera, {});
+      int pixels = 0;
+      for (const auto& [label, count] : view.pixels_seen) pixels += label > 0 ? count : 0;
+      const double filled = static_cast<double>(pixels) / (request.camera.width * request.camera.height);
+      EXPECT_GT(filled, share - 0.02) << request.index;  // found on a coarser picture
+      least = std::min(least, filled);
+    }
+  }
+  EXPECT_LT(least, 0.4) << "the default leaves room for more floor";
+}
+
 TEST(SimulatedFrame, HiddenObjectsHaveNoLabel) {
   const SimulatedFrame frame = ideal(twoBoards(0.003));
   EXPECT_TRUE(frame.objects[1].hidden);

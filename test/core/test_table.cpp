@@ -87,6 +87,29 @@ TEST(Table, TakesTheOneThatCarriesThingsNotTheLargerFloor) {
   EXPECT_FALSE(table.value.other_planes.empty()) << "the floor is known, as no table";
 }
 
+TEST(Table, IsNotTheFloorThatATableStandsOnByOneFoot) {
+  // With its foot in view the table top is a thing that the floor carries, the largest of all.
+  struct Pose {
+    double x, y, z, height_m;
+  };
+  for (const Pose& at : {Pose{0, -1.1, 0.5, 0.73},
+                         {0.5, -1.2, 0.6, 0.73},
+                         {-0.6, -1.2, 0.9, 0.73},
+                         {0, -1, 0.7, 0.45},
+                         {0.7, -1.1, 0.8, 0.45},
+                         {0, -1.3, 0.5, 0.9}}) {
+    Scene scene = kinectScene({slab(-4, -4, 4, 4, -at.height_m), slab(-0.45, -0.3, 0.45, 0.3, 0),
+                               tube(0, 0, -at.height_m, 0, 0.05), box({-0.1, -0.1, 0}, {0, 0, 0.1})});
+    scene.T_world_camera = lookAt({at.x, at.y, at.z}, {0, 0, -0.1});
+    const Frame frame = scene.render();
+    ASSERT_GT(std::count(scene.seen.begin(), scene.seen.end(), 2), 300) << "the foot must be seen";
+    const Result<Table> table = tableOf(frame);
+    ASSERT_TRUE(table.ok()) << table.status.message;
+    SCOPED_TRACE(testing::Message() << "camera at " << at.x << ", " << at.y << ", " << at.z);
+    expectPlane(table.value, scene, 0, 0.003);
+  }
+}
+
 TEST(Table, TakesTheTableNotTheBoxTop) {
   Scene scene = kinectScene({slab(-0.4, -0.35, 0.4, 0.35, 0), box({-0.25, -0.2, 0}, {0.25, 0.2, 0.1})});
   const Result<Table> table = tableOf(scene.render());

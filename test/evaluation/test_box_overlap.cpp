@@ -7,6 +7,7 @@
 #include "objectness_segmentation/evaluation/box_overlap.hpp"
 
 using namespace objectness;
+using namespace objectness::evaluation;
 using Eigen::Vector3d;
 
 namespace {

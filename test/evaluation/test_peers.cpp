@@ -4,11 +4,12 @@
 #include <map>
 #include <opencv2/imgcodecs.hpp>
 
+#include "fixtures/demo_images.hpp"
 #include "fixtures/ray_cast.hpp"
 #include "fixtures/temporary_folder.hpp"
+#include "objectness_segmentation/evaluation/scores.hpp"
 #include "objectness_segmentation/io/scene_folder.hpp"
 #include "objectness_segmentation/peers/peers.hpp"
-#include "objectness_segmentation/sim/demo_scene.hpp"
 
 using namespace objectness;
 using namespace objectness_test;
@@ -30,42 +31,23 @@ int labelAt(const Scene& scene, const Segmentation& result, const Eigen::Vector3
   return result.labels(static_cast<int>(std::lround(p.y())), static_cast<int>(std::lround(p.x())));
 }
 
-/// Mean precision and recall per object of a true label image: the paper's Fig. 4.
-std::pair<double, double> precisionRecall(const cv::Mat_<ushort>& truth, const Segmentation& result) {
-  std::map<int, int> object_size, segment_size;
-  std::map<int, std::map<int, int>> shared;
-  for (int i = 0; i < static_cast<int>(truth.total()); ++i) {
-    const int object = truth(i) / 10, segment = result.labels(i);
-    if (truth(i) == 0) continue;
-    if (segment >= 2) ++segment_size[segment];
-    if (object >= 2) ++object_size[object];
-    if (object >= 2 && segment >= 2) ++shared[object][segment];
-  }
-  double precision = 0, recall = 0;
-  for (const auto& [object, size] : object_size) {
-    int most = 0, best = 0;
-    for (const auto& [segment, count] : shared[object]) {
-      if (count > most) most = count, best = segment;
-    }
-    if (most == 0) continue;
-    precision += static_cast<double>(most) / segment_size[best] / object_size.size();
-    recall += static_cast<double>(most) / size / object_size.size();
-  }
-  return {precision, recall};
+evaluation::Scores scoresOf(const Segmentation& result, const cv::Mat_<ushort>& annotation) {
+  const auto truth = evaluation::truthAtLevel(annotation, evaluation::Level::kObject);
+  return evaluation::scoreLabels(result.labels, truth).value();
 }
 
 }  // namespace
 
 TEST(Peers, SegmentTheDemoScene) {
-  const SceneImages scene = sim::makeDemoScene(1);
+  const SceneImages scene = demoImages(1);
   const auto frame = makeFrame(scene.depth_mm, scene.color, scene.camera, InputConfig());
   ASSERT_TRUE(frame.ok());
   for (const Peer peer : kPeers) {
     const Segmentation result = segmentWithPeer(peer, frame.value, Config());
     ASSERT_TRUE(result.status.ok()) << toString(peer) << ": " << result.status.message;
-    const auto [precision, recall] = precisionRecall(scene.true_labels, result);
-    EXPECT_GT(precision, 0.9) << toString(peer);
-    EXPECT_GT(recall, 0.8) << toString(peer);
+    const evaluation::Scores scores = scoresOf(result, scene.true_labels);
+    EXPECT_GT(scores.precision, 0.9) << toString(peer);
+    EXPECT_GT(scores.recall, 0.8) << toString(peer);
     EXPECT_EQ(result.report.timings_ms[result.report.timings_ms.size() - 2].first, toString(peer));
     EXPECT_EQ(result.report.timings_ms.back().first, "total");
   }
@@ -168,7 +150,7 @@ TEST(Peers, BadSettingsAreNamed) {
 }
 
 TEST(Peers, TheSameEveryTimeAndSilent) {
-  const SceneImages scene = sim::makeDemoScene(2);
+  const SceneImages scene = demoImages(2);
   const auto frame = makeFrame(scene.depth_mm, cv::Mat(), scene.camera, InputConfig());
   PeersConfig settings;
   settings.cpc.min_borders_for_cutting = 20;  // so that there are cuts, which are found by chance
@@ -204,9 +186,9 @@ TEST(Peers, FiguresOfRecordedScenes) {
     ASSERT_TRUE(frame.ok()) << frame.status.message;
     const cv::Mat_<ushort> truth = cv::imread(folder + "/labels.png", cv::IMREAD_UNCHANGED);
     for (const Peer peer : kPeers) {
-      const auto [precision, recall] = precisionRecall(truth, segmentWithPeer(peer, frame.value, Config()));
-      mean[peer].first += precision / scenes.size();
-      mean[peer].second += recall / scenes.size();
+      const evaluation::Scores scores = scoresOf(segmentWithPeer(peer, frame.value, Config()), truth);
+      mean[peer].first += scores.precision / scenes.size();
+      mean[peer].second += scores.recall / scenes.size();
     }
   }
   EXPECT_NEAR(mean[Peer::kMps].first, 0.90, 0.04);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "fixtures/demo_images.hpp"
 #include "objectness_segmentation/evaluation/proposals.hpp"
 #include "objectness_segmentation/io/scene_folder.hpp"
 #include "objectness_segmentation/pipeline.hpp"
-#include "objectness_segmentation/sim/demo_scene.hpp"
 
 using namespace objectness;
+using namespace objectness::evaluation;
 using Eigen::Vector3d;
 
 namespace {
@@ -121,7 +122,7 @@ TEST(BestBox, OfBackgroundOrNoneIsWorthNothing) {
 }
 
 TEST(Proposals, OfTheDemoSceneHoldItsObjects) {
-  const SceneImages scene = sim::makeDemoScene(1);
+  const SceneImages scene = demoImages(1);
   Config config;
   config.grouping.enabled = false;
   config.search.angle_step_deg = 15;

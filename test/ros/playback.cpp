@@ -29,6 +29,7 @@ std::map<int, std::vector<int>> objectsOf(const sensor_msgs::Image& labels) {
 }
 
 TEST_F(Playback, FindsTheObjectsOfEveryFrameItTakes) {
+  const std::uint32_t dropped_before = droppedSoFar();
   BagPlayer player(play({"-r", "0.3"}));
   const std::vector<ros::Time> played = playedStamps();
   ASSERT_EQ(played.size(), static_cast<std::size_t>(kFrames));
@@ -62,21 +63,17 @@ TEST_F(Playback, FindsTheObjectsOfEveryFrameItTakes) {
       if (best > kDice) ++found;
     }
   }
-  EXPECT_EQ(answered.size() + answers_.back()->dropped_frames, played.size());
+  EXPECT_EQ(answered.size() + answers_.back()->dropped_frames - dropped_before, played.size());
+  EXPECT_GE(2 * answered.size(), played.size()) << "most frames of a slow bag are taken";
   EXPECT_GE(static_cast<double>(found), 0.9 * objects) << found << " of " << objects;
+  RecordProperty("answered", static_cast<int>(answered.size()));
   RecordProperty("found", static_cast<int>(found));
   RecordProperty("objects", static_cast<int>(objects));
 }
 
 TEST_F(Playback, TooFastDropsAllButTheNewest) {
   const std::vector<ros::Time> played = playedStamps();
-  // Counted since the start of the node.
-  BagPlayer slow(play({"-r", "0.3", "-u", "0.1"}));
-  ASSERT_TRUE(waitForAnswerTo(played.front()));
-  const std::uint32_t dropped_before = answers_.back()->dropped_frames;
-  ASSERT_TRUE(waitUntil([&] { return !slow.running(); }));
-  answers_.clear();
-
+  const std::uint32_t dropped_before = droppedSoFar();
   BagPlayer player(play({"-r", "100"}));
   ASSERT_TRUE(waitForAnswerTo(played.back())) << "the newest frame is always processed";
   for (std::size_t i = 1; i < answers_.size(); ++i) {

@@ -77,6 +77,16 @@ class Playback : public testing::Test {
     }
     return stamps;
   }
+  /// Dropped frames count from the start of the node: plays the first frame alone to read how many they are. Forgets
+  /// its answer.
+  std::uint32_t droppedSoFar() {
+    BagPlayer first(play({"-u", "0.1"}));
+    EXPECT_TRUE(waitForAnswerTo(playedStamps().front()));
+    EXPECT_TRUE(waitUntil([&] { return !first.running(); }));
+    const std::uint32_t dropped = answers_.empty() ? 0 : answers_.back()->dropped_frames;
+    answers_.clear();
+    return dropped;
+  }
   bool waitForAnswerTo(const ros::Time& stamp) {
     return waitUntil([&] { return !answers_.empty() && answers_.back()->header.stamp == stamp; });
   }

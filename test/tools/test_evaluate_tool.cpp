@@ -8,7 +8,7 @@
 #include <string>
 
 #include "fixtures/labelled_scene.hpp"
-#include "fixtures/tool.hpp"
+#include "fixtures/tool_test.hpp"
 
 using namespace objectness_test;
 using Json = nlohmann::json;
@@ -20,7 +20,7 @@ const char* const kColumns[] = {"P",   "R",     "OvP",  "OvR",  "OvF", "BdP", "B
                                 "F75", "extra", "F_os", "F_us", "WO",  "ms",  "peak_mib"};
 
 /// Four small scenes of two groups; the quickest of the methods is run.
-class EvaluateTool : public testing::Test {
+class EvaluateTool : public ToolTest {
  protected:
   static void SetUpTestSuite() {
     scenes_ = new TemporaryFolder;
@@ -34,9 +34,9 @@ class EvaluateTool : public testing::Test {
     scenes_ = nullptr;
   }
 
-  ToolOutcome run(const std::string& arguments) const { return runTool(folder_, "evaluate", arguments); }
+  Outcome run(const std::string& arguments) const { return ToolTest::run("evaluate", arguments); }
   /// Evaluates into folder `report`.
-  ToolOutcome evaluate(const std::string& report, const std::string& arguments) const {
+  Outcome evaluate(const std::string& report, const std::string& arguments) const {
     return run("--method mps --report " + (folder_ / report) + " " + arguments);
   }
   Json readJson(const std::string& path) const { return Json::parse(readBytes(folder_ / path)); }
@@ -65,13 +65,12 @@ class EvaluateTool : public testing::Test {
     return times;
   }
   static std::string all() { return *scenes_ / "set"; }
-  void expectOneError(const ToolOutcome& outcome, const std::string& text) const {
+  void expectOneError(const Outcome& outcome, const std::string& text) const {
     EXPECT_EQ(outcome.exit_status, 1);
     EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
   }
 
   static TemporaryFolder* scenes_;
-  TemporaryFolder folder_;
 };
 
 TemporaryFolder* EvaluateTool::scenes_ = nullptr;
@@ -79,7 +78,7 @@ TemporaryFolder* EvaluateTool::scenes_ = nullptr;
 }  // namespace
 
 TEST_F(EvaluateTool, WritesTheReport) {
-  const ToolOutcome outcome = evaluate("report", "--method lccp --level part --level object --jobs 2 " + all());
+  const Outcome outcome = evaluate("report", "--method lccp --level part --level object --jobs 2 " + all());
   ASSERT_EQ(outcome.exit_status, 0) << outcome.err;
   const Json summary = readJson("report/summary.json");
   for (const char* method : {"mps", "lccp"}) {
@@ -141,12 +140,12 @@ TEST_F(EvaluateTool, TheReportIsOneFileWithItsPictures) {
 TEST_F(EvaluateTool, ShardsMergedAreTheWhole) {
   ASSERT_EQ(evaluate("whole", all()).exit_status, 0);
   for (const char* k : {"1", "2", "3"}) {
-    const ToolOutcome shard = evaluate(std::string("part") + k, std::string("--shard ") + k + "/3 " + all());
+    const Outcome shard = evaluate(std::string("part") + k, std::string("--shard ") + k + "/3 " + all());
     ASSERT_EQ(shard.exit_status, 0) << shard.err;
   }
   const auto part = [&](const char* k) { return folder_ / (std::string("part") + k); };
   const std::string merge = "merge --report " + (folder_ / "merged") + " ";
-  const ToolOutcome merged = run(merge + part("2") + " " + part("1") + " " + part("3"));
+  const Outcome merged = run(merge + part("2") + " " + part("1") + " " + part("3"));
   ASSERT_EQ(merged.exit_status, 0) << merged.err;
   EXPECT_EQ(withoutTimes(readJson("merged/summary.json")), withoutTimes(readJson("whole/summary.json")));
   EXPECT_EQ(readJson("merged/run.json"), readJson("whole/run.json"));
@@ -166,7 +165,7 @@ TEST_F(EvaluateTool, ResumesWithWhatIsMissing) {
   ASSERT_EQ(evaluate("report", all()).exit_status, 0);
   const Json first = readJson("report/summary.json");
   auto before = resultTimes("report");
-  const ToolOutcome again = evaluate("report", all());
+  const Outcome again = evaluate("report", all());
   EXPECT_EQ(again.exit_status, 0);
   EXPECT_NE(again.err.find("4 of 4 results are there"), std::string::npos) << again.err;
   EXPECT_EQ(resultTimes("report"), before);
@@ -191,7 +190,7 @@ TEST_F(EvaluateTool, BadScenesCostOnlyThemselves) {
   fs::remove(bare + "/labels.png");
   std::string scenes;
   for (const auto& scene : {good, cut, small, wall, bare, flat, folder_ / "missing"}) scenes += " " + scene;
-  const ToolOutcome outcome = evaluate("report", scenes);
+  const Outcome outcome = evaluate("report", scenes);
   EXPECT_EQ(outcome.exit_status, 1);
   for (const char* text :
        {"cut, mps: depth.png: is cut off", "(counts as nothing found)", "wall, mps: ", "bare: holds no labels.png",
@@ -229,10 +228,7 @@ TEST_F(EvaluateTool, WithoutPythonTheTablesAreThere) {
 
 TEST_F(EvaluateTool, WrongCommandLines) {
   const auto expectUsageError = [&](const std::string& arguments, const std::string& text) {
-    const ToolOutcome outcome = run(arguments);
-    EXPECT_EQ(outcome.exit_status, 2) << arguments;
-    EXPECT_EQ(outcome.errorLines(), 1) << outcome.err;
-    EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
+    ToolTest::expectUsageError("evaluate", arguments, text);
   };
   expectUsageError("scenes", "no --report DIR given");
   expectUsageError("--report r --method graph scenes", "there is no method 'graph', only objectness, paper, boxes");

@@ -6,7 +6,7 @@
 #include "objectness_segmentation/objectness/box.hpp"
 #include "objectness_segmentation/scene/table.hpp"
 
-namespace objectness {
+namespace objectness::evaluation {
 
 /// Where the points above the table lie: a rectangle in the table frame, metres.
 struct Footprint {
@@ -19,4 +19,4 @@ struct Footprint {
 /// far as their size lets them. The first boxes of a longer list are those of a shorter one. Camera frame, metres.
 std::vector<OrientedBox> fixedBoxes(const Table& table, const Footprint& footprint, int count);
 
-}  // namespace objectness
+}  // namespace objectness::evaluation

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,9 @@ struct LearnSettings {
   Config config;
   TrainingConfig training;
   int folds = 5;
+  /// How often the samples of a scene count, by its folder; 1 where it has no entry. A few recorded scenes would not be
+  /// heard among many simulated ones.
+  std::map<std::string, int> weights;
   int threads = 2;
   std::function<void(const std::string& stage, std::size_t done, std::size_t of)> progress;
 };

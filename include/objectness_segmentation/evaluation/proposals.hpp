@@ -8,7 +8,7 @@
 #include "objectness_segmentation/evaluation/true_boxes.hpp"
 #include "objectness_segmentation/result.hpp"
 
-namespace objectness {
+namespace objectness::evaluation {
 
 /// How many boxes of a list are kept, best first.
 constexpr std::array<int, 5> kKeptBoxes{1, 5, 10, 20, 100};
@@ -40,4 +40,4 @@ struct ProposalFigures {
 ProposalFigures measureProposals(const Frame& frame, const Segmentation& result, const cv::Mat_<ushort>& labels,
                                  const std::vector<TrueBox>& truth, double margin_m);
 
-}  // namespace objectness
+}  // namespace objectness::evaluation

@@ -8,11 +8,13 @@
 #include "objectness_segmentation/scene/frame.hpp"
 #include "objectness_segmentation/scene/table.hpp"
 
-namespace objectness {
+namespace objectness::evaluation {
 
-/// A true object: `label` is its number in label images without the part, 2 for 20 to 29, 3 for 30 to 39, ...
+/// The object that a label of a true label image belongs to: 2 for 20 to 29, 3 for 30 to 39, ...; 0 for void and table.
+constexpr int objectOf(int true_label) { return true_label >= 20 ? true_label / 10 : 0; }
+
 struct TrueBox {
-  int label = 0;
+  int object = 0;  ///< objectOf() its labels
   OrientedBox box;
 };
 
@@ -33,4 +35,4 @@ std::vector<TrueBox> fitTrueBoxes(const Frame& frame, const Table& table, const 
 Result<std::vector<TrueBox>> findTrueBoxes(const std::string& scene_folder, const Frame& frame, const Table& table,
                                            const cv::Mat_<ushort>& labels);
 
-}  // namespace objectness
+}  // namespace objectness::evaluation

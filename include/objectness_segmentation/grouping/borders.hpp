@@ -11,12 +11,12 @@ namespace objectness {
 
 /// What the outline of a piece lies against, each a length on the surface in metres.
 struct Outline {
-  float table = 0;     ///< it stands on the table, or goes on as table
-  float front = 0;     ///< it is in front of something that is no piece (the table behind it, the wall)
-  float behind = 0;    ///< it is behind something that is no piece
-  float unknown = 0;   ///< missing depth on and on
-  float outside = 0;   ///< the border of the picture
-  float pieces = 0;    ///< any other piece
+  float table = 0;    ///< it stands on the table, or goes on as table
+  float front = 0;    ///< it is in front of something that is no piece (the table behind it, the wall)
+  float behind = 0;   ///< it is behind something that is no piece
+  float unknown = 0;  ///< missing depth on and on
+  float outside = 0;  ///< the border of the picture
+  float pieces = 0;   ///< any other piece
 
   float total() const { return table + front + behind + unknown + outside + pieces; }
 };
@@ -28,7 +28,7 @@ struct ContactSample {
 
 /// The common border of two pieces, first < second.
 struct PairBorder {
-  float contact = 0;        ///< lengths in metres
+  float contact = 0;  ///< lengths in metres
   float first_in_front = 0;
   float second_in_front = 0;
   std::vector<ContactSample> samples;  ///< of the contact
@@ -37,7 +37,7 @@ struct PairBorder {
 };
 
 struct Borders {
-  std::vector<Outline> outlines;                     ///< one per piece
+  std::vector<Outline> outlines;                    ///< one per piece
   std::map<std::pair<int, int>, PairBorder> pairs;  ///< ordered, so that all that follows is deterministic
 };
 

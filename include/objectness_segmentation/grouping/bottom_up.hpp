@@ -13,8 +13,8 @@ struct PieceGraph {
 };
 
 PieceGraph findPieceGraph(const Frame& frame, const Normals& normals, const Table& table,
-                          const ObjectPoints& object_points, const Superpixels& superpixels,
-                          const PiecesConfig& pieces, const LinksConfig& links);
+                          const ObjectPoints& object_points, const Superpixels& superpixels, const PiecesConfig& pieces,
+                          const LinksConfig& links);
 
 /// Groups of pieces that may be one object each, described but not yet judged.
 std::vector<GroupHypothesis> proposeObjects(const Frame& frame, const Table& table, const EdgeMap& edges,

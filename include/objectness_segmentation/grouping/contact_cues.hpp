@@ -12,11 +12,11 @@ struct ContactCues {
   float angle_median_deg = 0;
   float angle_low_deg = 0, angle_high_deg = 0;  ///< 20 and 80 percentile
   float concave_share = 0, convex_share = 0;    ///< of the samples: under -10, over +10 degrees
-  float contact_share = 0;    ///< of the common border, the rest are depth jumps
-  float contact_of_outline = 0;  ///< contact length by the outline of the piece with the shorter one
+  float contact_share = 0;                      ///< of the common border, the rest are depth jumps
+  float contact_of_outline = 0;                 ///< contact length by the outline of the piece with the shorter one
   float upper_upright = 0, lower_upright = 0;  ///< normal . table normal of the side that lies higher, and of the other
-  float step = 0;             ///< RMS distance between the planes of either side at the border, in units of the noise
-  float size_ratio = 0;       ///< area of the smaller piece by that of the larger one
+  float step = 0;        ///< RMS distance between the planes of either side at the border, in units of the noise
+  float size_ratio = 0;  ///< area of the smaller piece by that of the larger one
 
   template <class Self, class Visit>
   static void cues(Self& self, Visit&& visit) {

@@ -12,27 +12,27 @@ namespace objectness {
 /// What speaks for a group of pieces being one whole object. No cue has a unit: large and small objects count alike.
 struct GroupCues {
   // The graph of links.
-  float mean_logit = 0;         ///< log odds of the links inside
-  float logit_per_piece = 0;    ///< their sum by the number of pieces
-  float weakest_piece = 1;      ///< probability of the strongest link of the piece that is linked worst
-  float bottleneck = 1;         ///< of the weakest link of the maximum spanning tree
-  float best_outside = 0;       ///< of the strongest link to a piece outside
-  float outside_logit = 0;      ///< sum of the positive log odds of links to the outside, by the number of pieces
+  float mean_logit = 0;       ///< log odds of the links inside
+  float logit_per_piece = 0;  ///< their sum by the number of pieces
+  float weakest_piece = 1;    ///< probability of the strongest link of the piece that is linked worst
+  float bottleneck = 1;       ///< of the weakest link of the maximum spanning tree
+  float best_outside = 0;     ///< of the strongest link to a piece outside
+  float outside_logit = 0;    ///< sum of the positive log odds of links to the outside, by the number of pieces
   float pieces = 0;
   // The outline, as shares of its length: what it lies against.
   float table = 0, front = 0, behind = 0, unknown = 0, image_border = 0;  ///< see Outline
-  float contact = 0;            ///< it touches other pieces
+  float contact = 0;                                                      ///< it touches other pieces
   float hidden = 0, hides = 0;  ///< other pieces are in front of it, or behind it
   float concave_outside = 0, convex_outside = 0, concave_inside = 0, convex_inside = 0;  ///< lengths of contact
   // The tight box.
-  float face_share = 0;    ///< of its points near the box's visible faces
-  float box_fill = 0;      ///< surface seen by the silhouette of the box
-  float other_points = 0;  ///< share of the points in the box that are not its own
-  float upright = 1;       ///< |cosine| between the box's z axis and the table's normal
+  float face_share = 0;                ///< of its points near the box's visible faces
+  float box_fill = 0;                  ///< surface seen by the silhouette of the box
+  float other_points = 0;              ///< share of the points in the box that are not its own
+  float upright = 1;                   ///< |cosine| between the box's z axis and the table's normal
   float elongation = 0, flatness = 0;  ///< middle by longest, shortest by middle side
-  float base_height = 0;   ///< of its lowest point by that of its highest
+  float base_height = 0;               ///< of its lowest point by that of its highest
   float free = 0, behind_own = 0, behind_other = 0, unseen = 0;  ///< shares of the box's volume as the camera sees it
-  float hull_fill = 0;     ///< pixels by the area of their convex hull
+  float hull_fill = 0;                                           ///< pixels by the area of their convex hull
   // The paper's cues of the tight box.
   float edge_density = 0;  ///< delta_i, Eq. 1: length of edges by the root of the visible area, which has no unit
   float outer_edges = 0;   ///< delta_o, Eq. 2

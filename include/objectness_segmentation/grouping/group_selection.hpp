@@ -36,8 +36,8 @@ struct GroupingConfig {
 /// Value of each group for the packing: the log odds of its inner links, and weight_objectness times its objectness
 /// over least_objectness for each of its pieces. The sum of links keeps large groups from being joined for a few good
 /// cues.
-PackingProblem packingProblem(int pieces, const std::vector<Link>& links,
-                              const std::vector<GroupHypothesis>& groups, const GroupingConfig& config);
+PackingProblem packingProblem(int pieces, const std::vector<Link>& links, const std::vector<GroupHypothesis>& groups,
+                              const GroupingConfig& config);
 
 /// The groups of the best packing found, proven best where branch and bound gets through.
 Packing selectGroups(const PackingProblem& problem, const GroupingConfig& config, unsigned seed);

@@ -4,10 +4,10 @@
 #include <variant>
 #include <vector>
 
+#include "objectness_segmentation/common/range.hpp"
 #include "objectness_segmentation/grouping/borders.hpp"
 #include "objectness_segmentation/grouping/contact_cues.hpp"
 #include "objectness_segmentation/grouping/gap_cues.hpp"
-#include "objectness_segmentation/common/range.hpp"
 #include "objectness_segmentation/learning/learned_objectness.hpp"
 
 namespace objectness {
@@ -38,8 +38,8 @@ struct LinksConfig {
 
 /// Contact cues of all pairs that touch, gap cues of all others near enough; ordered by (first, second).
 std::vector<PairEvidence> findPairEvidence(const Frame& frame, const Normals& normals, const Table& table,
-                                           const Superpixels& superpixels, const Pieces& pieces,
-                                           const Borders& borders, const LinksConfig& config);
+                                           const Superpixels& superpixels, const Pieces& pieces, const Borders& borders,
+                                           const LinksConfig& config);
 
 /// What a model makes of the evidence.
 std::vector<Link> judgePairs(const std::vector<PairEvidence>& evidence, const Borders& borders,

@@ -26,9 +26,9 @@ struct PiecesConfig {
 
 /// What objects are put together from: a superpixel with the rough points around it, or a rough part without one.
 struct Piece {
-  std::vector<int> pixels;  ///< ascending
-  int smooth_pixels = 0;    ///< of these, in the superpixel; 0: a rough part
-  float area_m2 = 0;        ///< as seen: the sum of (z / f)^2
+  std::vector<int> pixels;                                ///< ascending
+  int smooth_pixels = 0;                                  ///< of these, in the superpixel; 0: a rough part
+  float area_m2 = 0;                                      ///< as seen: the sum of (z / f)^2
   Eigen::Vector3f centroid = Eigen::Vector3f::Zero();     ///< camera frame, metres
   Eigen::Vector3f mean_normal = Eigen::Vector3f::Zero();  ///< camera frame, shorter than 1 the more it bends
 };

@@ -30,10 +30,10 @@ struct SegmentsConfig {
   }
 };
 
-/// One object: the selected box and the pixels that are its own.
+/// One object: its box and the pixels that are its own.
 struct Segment {
   OrientedBox box;
-  double objectness = 0;  ///< delta, Eq. 6
+  double objectness = 0;  ///< delta of Eq. 6, or the expected overlap with a true object (GroupHypothesis)
   CueValues cues;
   std::vector<int> pixels;  ///< indices v * width + u, ascending; in no other segment
 };

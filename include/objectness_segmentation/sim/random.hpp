@@ -7,6 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "objectness_segmentation/common/angles.hpp"
+
 namespace objectness::sim {
 
 /// Random numbers that are the same on every platform: the standard fixes what its generator and its seed_seq yield,
@@ -38,7 +40,7 @@ class Random {
       return second_;
     }
     const double radius = std::sqrt(-2 * std::log((generator_() + 1.0) / 4294967296.0));
-    const double angle = 2 * 3.14159265358979323846 * generator_() / 4294967296.0;
+    const double angle = 2 * kPi * generator_() / 4294967296.0;
     has_second_ = true;
     second_ = radius * std::sin(angle);
     return radius * std::cos(angle);

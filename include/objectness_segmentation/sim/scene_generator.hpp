@@ -19,9 +19,9 @@ struct SceneRequest {
   std::optional<int> objects;  ///< 0..kMaxObjects
   std::optional<TableSize> table;
   std::optional<Eigen::Isometry3d> T_world_camera;  ///< must look down at the table
-  /// Drawn camera poses are such that table and objects fill at least this share of the picture: the method looks for
-  /// the dominant plane, and a view of little but floor is a difficulty of another kind than that of the levels.
-  double min_table_share = 0.4;
+  /// Drawn camera poses are such that table and objects fill at least this share of the picture: nobody points a camera
+  /// at little but floor.
+  double min_table_share = 0.15;
   PinholeCamera camera;  ///< every object is wholly within its picture
 };
 

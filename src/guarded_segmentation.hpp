@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <exception>
+#include <new>
+
+#include "objectness_segmentation/result.hpp"
+#include "objectness_segmentation/scene/frame.hpp"
+
+namespace objectness {
+
+/// Calls run(result), which fills the result. What all ways to segment a frame owe their callers: labels of the frame's
+/// size, the total time, and a status in place of an exception.
+template <class Run>
+Segmentation guardedSegmentation(const Frame& frame, const Run& run) {
+  Segmentation result;
+  result.labels = cv::Mat_<ushort>(frame.height(), frame.width(), static_cast<ushort>(0));
+  StageTimes total;
+  {
+    const StageTimer timer(total, "total");
+    try {
+      run(result);
+    } catch (const std::bad_alloc&) {
+      result.status = Status::error(StatusCode::kInternalError, "out of memory");
+    } catch (const std::exception& e) {
+      result.status = Status::error(StatusCode::kInternalError, e.what());
+    }
+  }
+  result.report.timings_ms.push_back(total.front());
+  return result;
+}
+
+}  // namespace objectness

@@ -12,7 +12,7 @@ PieceGraph findPieceGraph(const Frame& frame, const Normals& normals, const Tabl
   PieceGraph graph;
   graph.pieces = findPieces(frame, normals, object_points, superpixels, pieces);
   graph.borders = findBorders(frame, object_points, graph.pieces);
-  graph.pairs = findPairEvidence(frame, normals, table, superpixels, graph.pieces, graph.borders, links);
+  graph.pairs = findPairEvidence(frame, normals, table, object_points, superpixels, graph.pieces, graph.borders, links);
   return graph;
 }
 

@@ -43,7 +43,8 @@ struct Counts {
   int occluded = 0, free = 0, surface = 0;
 };
 
-Counts lookAlong(const Frame& frame, const Eigen::Vector3f& from, const Eigen::Vector3f& to) {
+Counts lookAlong(const Frame& frame, const cv::Mat_<uchar>& on_table, const Eigen::Vector3f& from,
+                 const Eigen::Vector3f& to) {
   Counts counts;
   for (int k = 1; k <= kSamples; ++k) {
     const Eigen::Vector3f p = from + (to - from) * (static_cast<float>(k) / (kSamples + 1));
@@ -54,7 +55,7 @@ Counts lookAlong(const Frame& frame, const Eigen::Vector3f& from, const Eigen::V
     if (std::isnan(z)) continue;
     if (z < p.z() - kOccluder_m)
       ++counts.occluded;
-    else if (z > p.z() + kSeenThrough_m)
+    else if (z > p.z() + kSeenThrough_m || on_table(v, u))  // low things lie hardly over the table that is seen
       ++counts.free;
     else
       ++counts.surface;
@@ -82,9 +83,9 @@ std::vector<std::vector<int>> outlinePixels(const Pieces& pieces, int most) {
   return outlines;
 }
 
-std::optional<GapCues> findGapCues(const Frame& frame, const Table& table, const Pieces& pieces,
-                                   const std::vector<std::vector<int>>& outlines, int first, int second,
-                                   double max_distance_m) {
+std::optional<GapCues> findGapCues(const Frame& frame, const Table& table, const ObjectPoints& object_points,
+                                   const Pieces& pieces, const std::vector<std::vector<int>>& outlines, int first,
+                                   int second, double max_distance_m) {
   const std::vector<Segment3> segments = nearestSegments(frame, outlines[first], outlines[second]);
   if (segments.empty() || segments.front().distance > max_distance_m) return std::nullopt;
   const Piece& a = pieces.pieces[first];
@@ -93,7 +94,7 @@ std::optional<GapCues> findGapCues(const Frame& frame, const Table& table, const
   const float samples = static_cast<float>(kSamples * segments.size());
   const Eigen::Vector3f n_a = a.mean_normal.normalized(), n_b = b.mean_normal.normalized();
   for (const Segment3& s : segments) {
-    const Counts counts = lookAlong(frame, frame.points[s.first], frame.points[s.second]);
+    const Counts counts = lookAlong(frame, object_points.on_table, frame.points[s.first], frame.points[s.second]);
     cues.occluded_share += counts.occluded / samples;
     cues.free_share += counts.free / samples;
     cues.surface_share += counts.surface / samples;

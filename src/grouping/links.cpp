@@ -11,8 +11,8 @@ constexpr int kOutlinePixels = 64;  // of a piece: gaps are wide, their cues are
 }  // namespace
 
 std::vector<PairEvidence> findPairEvidence(const Frame& frame, const Normals& normals, const Table& table,
-                                           const Superpixels& superpixels, const Pieces& pieces, const Borders& borders,
-                                           const LinksConfig& config) {
+                                           const ObjectPoints& object_points, const Superpixels& superpixels,
+                                           const Pieces& pieces, const Borders& borders, const LinksConfig& config) {
   std::vector<PairEvidence> evidence;
   const std::vector<std::vector<int>> outlines = outlinePixels(pieces, kOutlinePixels);
   for (int first = 0; first < pieces.count(); ++first) {
@@ -21,7 +21,8 @@ std::vector<PairEvidence> findPairEvidence(const Frame& frame, const Normals& no
       if (border != borders.pairs.end() && !border->second.samples.empty()) {
         evidence.push_back(
             {first, second, findContactCues(frame, normals, table, superpixels, pieces, borders, first, second)});
-      } else if (const auto gap = findGapCues(frame, table, pieces, outlines, first, second, config.max_gap_m)) {
+      } else if (const auto gap =
+                     findGapCues(frame, table, object_points, pieces, outlines, first, second, config.max_gap_m)) {
         evidence.push_back({first, second, *gap});
       }
     }

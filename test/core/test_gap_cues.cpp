@@ -12,7 +12,8 @@ namespace {
 constexpr double kFar_m = 0.25;
 
 std::optional<GapCues> cuesOf(const PieceView& view, double max_distance_m = kFar_m) {
-  return findGapCues(view.frame, view.table, view.pieces, outlinePixels(view.pieces, 64), 0, 1, max_distance_m);
+  return findGapCues(view.frame, view.table, view.object_points, view.pieces, outlinePixels(view.pieces, 64), 0, 1,
+                     max_distance_m);
 }
 
 Scene lowView(std::vector<Surface> surfaces) {
@@ -130,8 +131,8 @@ TEST(Links, ContactsOfPairsThatTouchGapsOfOthersNearEnough) {
                        bySurface);
   LinksConfig config;
   config.max_gap_m = 0.15;
-  const auto evidence =
-      findPairEvidence(view.frame, view.normals, view.table, view.superpixels, view.pieces, view.borders, config);
+  const auto evidence = findPairEvidence(view.frame, view.normals, view.table, view.object_points, view.superpixels,
+                                         view.pieces, view.borders, config);
   std::vector<std::tuple<int, int, bool>> found;
   for (const PairEvidence& pair : evidence) {
     found.emplace_back(pair.first, pair.second, std::holds_alternative<ContactCues>(pair.cues));

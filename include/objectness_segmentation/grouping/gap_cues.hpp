@@ -12,7 +12,7 @@ namespace objectness {
 struct GapCues {
   float occluded_share = 0;  ///< behind a nearer surface: anything may be there
   float best_occluded = 0;   ///< of the segment that is hidden most
-  float free_share = 0;      ///< the camera looks through: certainly nothing there
+  float free_share = 0;      ///< the camera sees through, or the bare table: certainly nothing there
   float most_free = 0;       ///< of the segment that is seen through most
   float surface_share = 0;   ///< on a measured surface
   float cosine = 0;          ///< between the mean normals
@@ -40,8 +40,8 @@ struct GapCues {
 std::vector<std::vector<int>> outlinePixels(const Pieces& pieces, int most);
 
 /// None when the pieces are farther apart than max_distance_m.
-std::optional<GapCues> findGapCues(const Frame& frame, const Table& table, const Pieces& pieces,
-                                   const std::vector<std::vector<int>>& outlines, int first, int second,
-                                   double max_distance_m);
+std::optional<GapCues> findGapCues(const Frame& frame, const Table& table, const ObjectPoints& object_points,
+                                   const Pieces& pieces, const std::vector<std::vector<int>>& outlines, int first,
+                                   int second, double max_distance_m);
 
 }  // namespace objectness

@@ -38,8 +38,8 @@ struct LinksConfig {
 
 /// Contact cues of all pairs that touch, gap cues of all others near enough; ordered by (first, second).
 std::vector<PairEvidence> findPairEvidence(const Frame& frame, const Normals& normals, const Table& table,
-                                           const Superpixels& superpixels, const Pieces& pieces, const Borders& borders,
-                                           const LinksConfig& config);
+                                           const ObjectPoints& object_points, const Superpixels& superpixels,
+                                           const Pieces& pieces, const Borders& borders, const LinksConfig& config);
 
 /// What a model makes of the evidence.
 std::vector<Link> judgePairs(const std::vector<PairEvidence>& evidence, const Borders& borders,

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/evaluation/learn.hpp"
 
+#include <algorithm>
 #include <map>
 #include <mutex>
+#include <optional>
 
 #include "../io/png_file.hpp"
 #include "objectness_segmentation/common/parallel.hpp"

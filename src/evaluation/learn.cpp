@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/evaluation/learn.hpp"
 
+#include <algorithm>
 #include <map>
 #include <mutex>
+#include <optional>
 
 #include "../io/png_file.hpp"
 #include "objectness_segmentation/common/parallel.hpp"
@@ -95,12 +97,11 @@ class Learner {
     Result<LearnedModel> learned;
     LearnedModel& result = learned.value;
     if (const Status status = trainPairs(-1, result.model); !status.ok()) return Result<LearnedModel>::error(status);
-    const Samples groups = gather(lessons_, &Lesson::group, -1);
-    result.model.group = trainForest(groups, settings_.training.group);
-    result.groups = groups.size();
+    result.model.group = trainForest(gather(lessons_, &Lesson::group, -1), settings_.training.group);
     for (std::size_t i = 0; i < scenes_.size(); ++i) {
       result.contacts += lessons_[i].contact.size();
       result.gaps += lessons_[i].gap.size();
+      result.groups += lessons_[i].group.size();
       if (!lessons_[i].problem.empty()) result.notes.push_back(scenes_[i].folder + ": " + lessons_[i].problem);
       if (scores[i]) result.held_out.push_back({scenes_[i].name, scenes_[i].group, *scores[i]});
     }

@@ -67,7 +67,9 @@ int run(const po::variables_map& values) {
   settings.threads = values["threads"].as<int>();
   if (settings.threads < 0) return fail("--threads must not be negative", 2);
   if (settings.folds < 2) return fail("--folds must be at least 2", 2);
-  if (const int weight = values["recorded-weight"].as<int>(); weight != 1) {
+  const int weight = values["recorded-weight"].as<int>();
+  if (weight < 1) return fail("--recorded-weight must be at least 1", 2);
+  if (weight > 1) {
     for (const Scene& scene : list.value.scenes) {
       if (!std::filesystem::exists(scene.folder + "/pose.yaml")) settings.weights[scene.folder] = weight;
     }

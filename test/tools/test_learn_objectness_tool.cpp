@@ -88,6 +88,18 @@ TEST_F(LearnTool, TheSameModelTwiceWithAnyNumberOfThreads) {
   EXPECT_EQ(readBytes(folder_ / "two.json"), readBytes(folder_ / "one.json"));
 }
 
+TEST_F(LearnTool, RecordedScenesCountAsOftenAsAsked) {
+  std::filesystem::copy(set(), folder_ / "own", std::filesystem::copy_options::recursive);
+  const std::string own = folder_ / "own";
+  const auto pairs = [](const Outcome& outcome) { return outcome.out.substr(0, outcome.out.find(" gaps")); };
+  ASSERT_EQ(learn("simulated.json --recorded-weight 3 " + own).exit_status, 0);
+  std::filesystem::remove(own + "/stacked_0/pose.yaml");
+  const Outcome once = learn("once.json " + own), thrice = learn("thrice.json --recorded-weight 3 " + own);
+  EXPECT_EQ(readBytes(folder_ / "once.json"), readBytes(folder_ / "simulated.json")) << "none was recorded";
+  EXPECT_NE(readBytes(folder_ / "once.json"), readBytes(folder_ / "thrice.json"));
+  EXPECT_EQ(pairs(once), pairs(thrice)) << "there are no more of them";
+}
+
 TEST_F(LearnTool, ScenesThatTeachNothingAreNamed) {
   std::filesystem::copy(set(), folder_ / "own", std::filesystem::copy_options::recursive);
   truncateFile(folder_ / "own/stacked_0/depth.png", 0.5);
@@ -130,11 +142,12 @@ TEST_F(LearnTool, AModelThatCannotBeWrittenIsSaid) {
 
 TEST_F(LearnTool, UsageErrors) {
   const std::string out = "--out " + (folder_ / "model.json") + " ";
-  expectUsageError(set(), "'--out' is required");
+  expectUsageError(set(), "no --out MODEL.json given");
   expectUsageError(out, "no SCENES given");
   expectUsageError(out + "--folds 1 " + set(), "--folds must be at least 2");
   expectUsageError(out + "--folds many " + set(), "many");
   expectUsageError(out + "--threads -1 " + set(), "--threads must not be negative");
+  expectUsageError(out + "--recorded-weight 0 " + set(), "--recorded-weight must be at least 1");
   expectUsageError(out + "--no-such-option " + set(), "no-such-option");
   const Outcome help = run("--help");
   EXPECT_EQ(help.exit_status, 0);

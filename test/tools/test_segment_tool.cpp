@@ -27,7 +27,7 @@ class SegmentTool : public ToolTest {
   }
   /// The coarse angles make it quick.
   std::string common() const {
-    return " --set grouping.enabled=false --set search.angle_step_deg=45 --out " + (folder_ / "out") + " ";
+    return " --method paper --set search.angle_step_deg=45 --out " + (folder_ / "out") + " ";
   }
 };
 
@@ -35,7 +35,7 @@ class SegmentTool : public ToolTest {
 
 TEST_F(SegmentTool, WritesTheResults) {
   const std::string scene = makeScene("kitchen");
-  const Outcome outcome = run(common() + "--pictures --threads 2 --seed 3 --method paper " + scene + "/");
+  const Outcome outcome = run(common() + "--pictures --threads 2 --seed 3 " + scene + "/");
   ASSERT_EQ(outcome.exit_status, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(outcome.out.compare(0, 9, "kitchen: "), 0) << outcome.out;
@@ -86,11 +86,31 @@ TEST_F(SegmentTool, NothingOnTheTableIsAResult) {
   EXPECT_EQ(outcome.out.compare(0, 15, "bare: 0 objects"), 0) << outcome.out;
 }
 
+TEST_F(SegmentTool, TheMethodIsChosenByNameOrPreset) {
+  const std::string scene = makeScene("kitchen"), out = "--out " + (folder_ / "out") + " ";
+  const std::string quick = " --set search.angle_step_deg=45 ", preset = REPOSITORY_DIR "/cfg/paper.yaml";
+  const struct {
+    std::string options;
+    bool paper;
+  } cases[] = {{"", false},
+               {"--method objectness", false},
+               {"--method paper", true},
+               {"--config " + preset, true},
+               {"--config " + preset + " --method objectness", false}};
+  for (const auto& c : cases) {
+    const Outcome outcome = run(out + c.options + quick + scene);
+    ASSERT_EQ(outcome.exit_status, 0) << outcome.err;
+    const auto counts = nlohmann::json::parse(readBytes(folder_ / "out/kitchen/objects.json"))["report"];
+    EXPECT_EQ(counts.contains("boxes_sampled"), c.paper) << c.options;
+    EXPECT_EQ(counts.contains("pieces"), !c.paper) << c.options;
+  }
+}
+
 TEST_F(SegmentTool, WrongCommandLines) {
   expectUsageError("", "no INPUT given");
   expectUsageError("scene", "no --out DIR given");
   expectUsageError("--out o --pict scene", "unrecognised option '--pict'");
-  expectUsageError("--out o --method graph scene", "there is only the method 'paper'");
+  expectUsageError("--out o --method graph scene", "there are only the methods 'objectness' and 'paper'");
   expectUsageError("--out o --threads many scene", "runtime.threads is 'many', must be a whole number");
   expectUsageError("--out o --seed -1 scene", "seed");
   expectUsageError("--out o --set serach.angle_step_deg=3 scene", "did you mean search.angle_step_deg?");

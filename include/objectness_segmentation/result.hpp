@@ -32,8 +32,8 @@ struct Segmentation {
   /// What the objects were chosen among, best objectness first: the boxes of all groups, or for the paper's method what
   /// the filtering of Sec. 4.1 leaves.
   std::vector<RankedBox> proposals;
-  std::vector<Segment> segments;     ///< best objectness first
-  cv::Mat_<ushort> labels;           ///< H x W: 0 nothing, 1 table, 2 + i: segments[i]
+  std::vector<Segment> segments;  ///< best objectness first
+  cv::Mat_<ushort> labels;        ///< H x W: 0 nothing, 1 table, 2 + i: segments[i]
   Report report;
 };
 

@@ -12,7 +12,7 @@ namespace {
 constexpr double kFar_m = 0.25;
 
 std::optional<GapCues> cuesOf(const PieceView& view, double max_distance_m = kFar_m) {
-  return findGapCues(view.frame, view.table, view.object_points, view.pieces, outlinePixels(view.pieces, 64), 0, 1,
+  return findGapCues(view.frame, view.table, view.points, view.pieces, outlinePixels(view.pieces, 64), 0, 1,
                      max_distance_m);
 }
 
@@ -67,6 +67,19 @@ TEST(GapCues, BetweenThingsInTheAirIsFreeSpace) {
   EXPECT_GT(cues->free_share, 0.9);
   EXPECT_EQ(cues->occluded_share, 0);
   EXPECT_NEAR(cues->cosine, 1, 0.02);
+}
+
+TEST(GapCues, TheBareTableBetweenLowThingsIsFree) {
+  // From above the table lies only 1 cm behind the segments between them: too little to be told by depth.
+  Scene scene = sceneOf({kTable, box({-0.15, 0, 0}, {-0.05, 0.05, 0.01}), box({0.05, 0, 0}, {0.15, 0.05, 0.01})});
+  scene.T_world_camera = lookAt({0, -0.1, 0.8}, {0, 0, 0});
+  PieceView view(scene, bySurface);
+  const auto cues = cuesOf(view);
+  ASSERT_TRUE(cues);
+  expectShares(*cues);
+  EXPECT_GT(cues->free_share, 0.9);
+  view.points.on_table.setTo(0);
+  EXPECT_EQ(cuesOf(view)->free_share, 0);
 }
 
 TEST(GapCues, AMeasuredSurfaceInBetweenIsSeen) {
@@ -131,7 +144,7 @@ TEST(Links, ContactsOfPairsThatTouchGapsOfOthersNearEnough) {
                        bySurface);
   LinksConfig config;
   config.max_gap_m = 0.15;
-  const auto evidence = findPairEvidence(view.frame, view.normals, view.table, view.object_points, view.superpixels,
+  const auto evidence = findPairEvidence(view.frame, view.normals, view.table, view.points, view.superpixels,
                                          view.pieces, view.borders, config);
   std::vector<std::tuple<int, int, bool>> found;
   for (const PairEvidence& pair : evidence) {

@@ -165,15 +165,15 @@ class Reconfigure {
 TEST_F(SegmentObjects, TakesOverChangedParameters) {
   Reconfigure reconfigure;
   Listener<SegmentedObjectArray> objects(std::string(kNode) + "/objects");
-  const double threshold = objectness::Config{}.filter.threshold;
+  const double min_area = objectness::Config{}.object_points.min_area_m2;
 
-  EXPECT_EQ(reconfigure.set({{"filter_threshold", 9.5}}), 9.5);
+  EXPECT_EQ(reconfigure.set({{"object_points_min_area_m2", 0.1}}), 0.1);  // larger than anything here
   auto result = segment(objects, goodCloud(), goodCamera());
   ASSERT_TRUE(result);
   EXPECT_EQ(result->status, SegmentedObjectArray::OK);
   EXPECT_EQ(result->objects.size(), 0u);
 
-  EXPECT_EQ(reconfigure.set({{"filter_threshold", threshold}}), threshold);
+  EXPECT_EQ(reconfigure.set({{"object_points_min_area_m2", min_area}}), min_area);
   result = segment(objects, goodCloud(), goodCamera());
   ASSERT_TRUE(result);
   EXPECT_EQ(result->objects.size(), 2u);

@@ -165,15 +165,15 @@ class Reconfigure {
 TEST_F(SegmentObjects, TakesOverChangedParameters) {
   Reconfigure reconfigure;
   Listener<SegmentedObjectArray> objects(std::string(kNode) + "/objects");
-  const double min_area = objectness::Config{}.object_points.min_area_m2;
+  const double max_height = objectness::Config{}.object_points.max_height_m;
 
-  EXPECT_EQ(reconfigure.set({{"object_points_min_area_m2", 0.1}}), 0.1);  // larger than anything here
+  EXPECT_EQ(reconfigure.set({{"object_points_max_height_m", 0.03}}), 0.03);  // lower than all that is here
   auto result = segment(objects, goodCloud(), goodCamera());
   ASSERT_TRUE(result);
   EXPECT_EQ(result->status, SegmentedObjectArray::OK);
   EXPECT_EQ(result->objects.size(), 0u);
 
-  EXPECT_EQ(reconfigure.set({{"object_points_min_area_m2", min_area}}), min_area);
+  EXPECT_EQ(reconfigure.set({{"object_points_max_height_m", max_height}}), max_height);
   result = segment(objects, goodCloud(), goodCamera());
   ASSERT_TRUE(result);
   EXPECT_EQ(result->objects.size(), 2u);

@@ -10,6 +10,8 @@ namespace {
 
 constexpr int kSmoothing = 5;  // pixels, less than the smallest window: takes the noise off the ridges, not the ridges
 
+constexpr float kParallelCosine = 0.966f;  // 15 deg; across a bend one of the windows often sees some of it
+
 /// Steps along a direction that are about `radius` pixels long.
 int stepsOf(std::size_t direction, int radius) {
   const bool diagonal = direction >= 2;
@@ -22,11 +24,11 @@ struct Sides {
 
 /// The pixels one window radius to either side of a pixel, or half of it where a jump makes the windows there smaller
 /// than that: windows that overlap hide a bend, and tiny ones see only noise. None: {-1, -1}.
-Sides sidesOf(const Normals& normals, int width, int height, int u, int v, std::size_t direction) {
+Sides sidesOf(const Normals& normals, int width, int height, int u, int v, std::size_t direction, int apart = 0) {
   const int full = normals.radius_px[v * width + u];
   for (const int radius : {full, (full + 1) / 2}) {
     if (radius < kMinWindowPx) break;
-    const int steps = stepsOf(direction, radius);
+    const int steps = apart + (apart ? radius : stepsOf(direction, radius));
     const int du = steps * kBendDirections[direction][0], dv = steps * kBendDirections[direction][1];
     if (u - du < 0 || u + du >= width || v - std::abs(dv) < 0 || v + std::abs(dv) >= height) continue;
     const int a = (v - dv) * width + u - du, b = (v + dv) * width + u + du;
@@ -35,12 +37,30 @@ Sides sidesOf(const Normals& normals, int width, int height, int u, int v, std::
   return {};
 }
 
+/// The point of the fitted plane in the direction of a pixel.
+Eigen::Vector3f onFit(const Frame& frame, const Normals& normals, int pixel) {
+  return frame.points[pixel] * (normals.depth_m[pixel] / frame.points[pixel].z());
+}
+
 float strengthAt(const cv::Mat_<float>& strength, int u, int v) {
   const bool inside = u >= 0 && v >= 0 && u < strength.cols && v < strength.rows;
   return inside ? strength(v, u) : 0.f;
 }
 
 }  // namespace
+
+float stepAt(const Frame& frame, const Normals& normals, const cv::Mat_<uchar>& where, int u, int v) {
+  float largest = 0;
+  for (std::size_t i = 0; i < kBendDirections.size(); ++i) {
+    const auto [a, b] = sidesOf(normals, frame.width(), frame.height(), u, v, i, 1);
+    if (a < 0 || !where(a) || !where(b)) continue;
+    if (normals.normal[a].dot(normals.normal[b]) < kParallelCosine) continue;
+    const Eigen::Vector3f between = onFit(frame, normals, b) - onFit(frame, normals, a);
+    const float from_a = normals.normal[a].dot(between), from_b = normals.normal[b].dot(between);
+    if (from_a * from_b > 0) largest = std::max(largest, std::min(std::abs(from_a), std::abs(from_b)));
+  }
+  return largest;
+}
 
 double bendOf(double angle_deg) { return 1.0 - std::cos(angle_deg * M_PI / 180.0); }
 

@@ -71,7 +71,7 @@ Sums windowSums(const IntegralRows& rows, int u, int v, int radius) {
 
 struct PlaneFit {
   Eigen::Vector3f normal;
-  float residual_m;
+  float residual_m, depth_m;
 };
 
 /// 1/z = a (u - u0) + b (v - v0) + c over the full window around (u0, v0).
@@ -92,7 +92,7 @@ PlaneFit fitPlane(const PinholeCamera& camera, const Sums& sums, int u, int v, i
       std::max(0.0, (static_cast<double>(sums.ww) - c * static_cast<double>(sums.w) - a * sum_uw - b * sum_vw) / n);
   const double z = kScale / c;
   const double depth_residual = std::sqrt(variance) / kScale * z * z;
-  return {(-away / norm).cast<float>(), static_cast<float>(depth_residual * c / norm)};
+  return {(-away / norm).cast<float>(), static_cast<float>(depth_residual * c / norm), static_cast<float>(z)};
 }
 
 }  // namespace
@@ -104,6 +104,7 @@ Normals estimateNormals(const Frame& frame, const NormalsConfig& config, const D
   Normals normals;
   normals.normal.assign(size, Eigen::Vector3f(nan, nan, nan));
   normals.residual_m.assign(size, nan);
+  normals.depth_m.assign(size, nan);
   normals.radius_px.assign(size, 0);
   normals.jump = findDepthJumps(frame, config, noise);
   const cv::Mat_<uchar> clear = clearRadius(frame, normals.jump);
@@ -123,6 +124,7 @@ Normals estimateNormals(const Frame& frame, const NormalsConfig& config, const D
       if (!(fit.normal.dot(frame.points[i]) < 0)) continue;
       normals.normal[i] = fit.normal;
       normals.residual_m[i] = fit.residual_m;
+      normals.depth_m[i] = fit.depth_m;
       normals.radius_px[i] = static_cast<unsigned char>(radius);
     }
   }

@@ -37,7 +37,7 @@ void replaceByPclNormals(const Frame& frame, Normals& normals) {
       if (normals.normal[i].dot(frame.points[i]) > 0) normals.normal[i] *= -1;
     } else {
       normals.normal[i].setConstant(nan);
-      normals.residual_m[i] = nan;
+      normals.residual_m[i] = normals.depth_m[i] = nan;
       normals.radius_px[i] = 0;
     }
   }

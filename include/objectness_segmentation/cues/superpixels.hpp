@@ -16,6 +16,9 @@ struct SuperpixelsConfig {
   double convex_deg = 70.0;
   double neighbor_deg = 8.0;
   double max_residuals = 5.0;
+  double max_steps = 4.0;
+  double min_step_m = 0.002;
+  double narrow_share = 0.4;
   double min_area_m2 = 0.75e-4;
   int min_pixels = 40;
 
@@ -27,6 +30,11 @@ struct SuperpixelsConfig {
     visit("neighbor_deg", self.neighbor_deg, Range{0, 180}, "cut where normals of neighbouring pixels differ by more");
     visit("max_residuals", self.max_residuals, Range{0, 1000},
           "cut where the plane fits worse than this many times the table's own median residual at that depth");
+    visit("max_steps", self.max_steps, Range{0, 1000},
+          "cut where the surface steps to the side by more than this many times the table's own median step");
+    visit("min_step_m", self.min_step_m, Range{0, 1}, "and by more than this");
+    visit("narrow_share", self.narrow_share, Range{0, 1},
+          "cut where the surface between two cuts is narrower than this share of what it joins");
     visit("min_area_m2", self.min_area_m2, Range{0, 0.01}, "smaller pieces get label 0");
     visit("min_pixels", self.min_pixels, Range{1, 100000}, "pieces of fewer pixels get label 0");
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "objectness_segmentation/learning/cue_list.hpp"
+#include "objectness_segmentation/scene/refined_normals.hpp"
 
 namespace objectness {
 namespace {
@@ -66,11 +67,12 @@ template Samples samplesOf<GroupCues>();
 TrainingScene observe(const Frame& frame, const cv::Mat_<ushort>& truth, const Config& config) {
   TrainingScene scene;
   scene.frame = frame;
-  const Normals normals = estimateNormals(frame, config.normals);
+  Normals normals = estimateNormals(frame, config.normals);
   const Result<Table> table = findTable(frame, normals, config.table);
   scene.status = table.status;
   if (!table.ok()) return scene;
   scene.table = table.value;
+  normals = refineNormals(frame, std::move(normals), scene.table, config.normals);
   const ObjectPoints above = findObjectPoints(frame, normals, scene.table, config.object_points);
   scene.edges = findEdges(frame, normals, scene.table, above, config.edges);
   const Superpixels superpixels = findSuperpixels(frame, normals, scene.table, above, config.superpixels);

@@ -18,7 +18,9 @@ struct DepthNoise {
 struct NormalsConfig {
   double window_m = 0.010;
   int min_window_px = 3;
-  int max_window_px = 14;
+  int max_window_px = 30;
+  double max_error_deg = 4.0;
+  double max_widening = 2.0;
   double jump_sigmas = 6.0;
   double jump_slope = 8.0;
   bool pcl = false;
@@ -28,6 +30,9 @@ struct NormalsConfig {
     visit("window_m", self.window_m, Range{0.002, 0.1}, "radius of the fitting window on the surface");
     visit("min_window_px", self.min_window_px, Range{1, 50}, "smallest window radius in the image");
     visit("max_window_px", self.max_window_px, Range{1, 50}, "largest window radius in the image");
+    visit("max_error_deg", self.max_error_deg, Range{0.1, 90},
+          "the window is widened when the normals of the bare table are worse than this in the median");
+    visit("max_widening", self.max_widening, Range{1, 10}, "but never by more than this factor");
     visit("jump_sigmas", self.jump_sigmas, Range{0, 100},
           "depth jump: neighbours differ by more than this many sigma_z");
     visit("jump_slope", self.jump_slope, Range{0, 100},

@@ -76,8 +76,8 @@ Normals seeScene(const Frame& frame, const Config& config, const Stages& stage, 
   result.status = found.status;
   result.table = std::move(found.value);
   if (!result.status.ok()) return normals;
-  normals = stage("refined_normals",
-                  [&] { return refineNormals(frame, std::move(normals), result.table, config.normals); });
+  normals =
+      stage("refined_normals", [&] { return refineNormals(frame, std::move(normals), result.table, config.normals); });
   const ObjectPoints& above = result.object_points =
       stage("object_points", [&] { return findObjectPoints(frame, normals, result.table, config.object_points); });
 

@@ -14,7 +14,7 @@ constexpr double kGapPixels = 3.0;  // of z / f
 constexpr float kGapSigmas = 4.0f;
 constexpr int kMinPixels = 200;  // when the area is too small
 constexpr double kMaxShareOverCeiling = 0.1;
-constexpr double kWhollyInside = 0.9;
+constexpr double kWhollyInside = 0.9;  // a share of the points; the rest is noise at the outline
 
 struct Thing {
   int pixels = 0, inside = 0, too_high = 0;

@@ -7,6 +7,7 @@
 #include "objectness_segmentation/common/angles.hpp"
 #include "objectness_segmentation/common/parallel.hpp"
 #include "objectness_segmentation/sim/random.hpp"
+#include "stereo_matching.hpp"
 
 namespace objectness::sim {
 namespace {
@@ -14,6 +15,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kAxialWindow_px = 3, kLateralWindow_px = 9, kLossWindow_px = 3;
+constexpr int kStereoWindow_px = 5, kWaveWindow_px = 25;
 // The formulas of [N] have a pole at 90 deg.
 constexpr double kSteepest_rad = 85 * kPi / 180;
 // A surface is extended to a neighbour's ray only as far as this share of its depth.
@@ -81,7 +83,19 @@ constexpr double kMaxDepth_mm = 65535;
 
 }  // namespace
 
+DepthSensor DepthSensor::stereo(const PinholeCamera& camera) {
+  DepthSensor sensor;
+  sensor.kind = SensorKind::kStereo;
+  sensor.camera = camera;
+  sensor.baseline_m = 0.05;
+  sensor.disparity_step_px = 1.0 / 32;
+  sensor.min_depth_m = 0.2;
+  sensor.max_depth_m = 6;
+  return sensor;
+}
+
 double DepthSensor::axialSigma(double z, double theta) const {
+  if (kind == SensorKind::kStereo) return z * z / (camera.fx * baseline_m) * subpixel_px;
   const double steep = steepness(theta);
   return 0.0012 + 0.0019 * (z - 0.4) * (z - 0.4) + 0.0001 / std::sqrt(z) * steep * steep;
 }
@@ -92,10 +106,17 @@ SceneImages takePicture(const SurfaceView& view, const DepthSensor& sensor, std:
   const PinholeCamera& camera = view.camera;
   const cv::Size size(camera.width, camera.height);
   SceneImages picture{camera, cv::Mat_<ushort>(size, ushort{0}), view.color, cv::Mat_<ushort>(size, ushort{0})};
-  const int windows_px[] = {kAxialWindow_px, kLateralWindow_px, kLateralWindow_px, kLossWindow_px};
-  cv::Mat_<double> noise[4];
+  const bool stereo = sensor.kind == SensorKind::kStereo && !sensor.ideal;
+  const int windows_px[] = {stereo ? kStereoWindow_px : kAxialWindow_px, kLateralWindow_px, kLateralWindow_px,
+                            kLossWindow_px, kWaveWindow_px};
+  cv::Mat_<double> noise[5], matched;
   if (!sensor.ideal) {
-    parallelFor(4, threads, [&](int kind) { noise[kind] = smoothNoise(size, windows_px[kind], seed, kind); });
+    parallelFor(stereo ? 5 : 4, threads,
+                [&](int kind) { noise[kind] = smoothNoise(size, windows_px[kind], seed, kind); });
+  }
+  if (stereo) {
+    noise[0] = (noise[0] + noise[4]) * std::sqrt(0.5);
+    matched = matchedDepths(view, sensor, threads);
   }
   const cv::Mat_<double>&axial = noise[0], &right = noise[1], &down = noise[2], &loss = noise[3];
   parallelFor(size.height, threads, [&](int v) {
@@ -112,7 +133,9 @@ SceneImages takePicture(const SurfaceView& view, const DepthSensor& sensor, std:
       double depth_m = from.depth_m;
       if (!sensor.ideal) {
         const Vector3d its_ray = camera.ray(from_u, from_v);
-        depth_m = measure(sensor, extended(from, its_ray, ray), incidence(from, its_ray), axial(v, u), loss(v, u));
+        const double blended = stereo ? matched(from_v, from_u) - from.depth_m : 0;
+        depth_m =
+            measure(sensor, extended(from, its_ray, ray) + blended, incidence(from, its_ray), axial(v, u), loss(v, u));
       }
       const double depth_mm = std::round(depth_m * 1000);
       if (!(depth_mm >= 1 && depth_mm <= kMaxDepth_mm)) continue;

@@ -55,6 +55,7 @@ po::options_description shownOptions() {
   add("frames", number(), "N frames of a camera that swings around the scene: DIR/frame_0000, ..., or one bag");
   add("rate", po::value<double>()->value_name("HZ"), "frames of a bag a second (10)");
   add("ideal", po::bool_switch(), "a depth camera without noise, steps, shadows or limits");
+  add("sensor", text("KIND"), "structured (light, like a Kinect; default) or stereo (like a RealSense)");
   add("camera", text("CAMERA.yaml"), "the camera's intrinsics (640 x 480, f = 525)");
   add("size", text("WIDTHxHEIGHT"), "scale the camera to another image width; the height is cut or grows");
   add("table", text("SIZE"), "metres: WIDTHxDEPTHxHEIGHT or round:DIAMETERxHEIGHT (otherwise drawn at random)");
@@ -148,6 +149,9 @@ std::string readSensor(const po::variables_map& values, MakeSceneOptions& o) {
     if (!camera.ok()) return camera.status.message;
     o.sensor.camera = camera.value;
   }
+  const std::string kind = values.count("sensor") ? textOf(values, "sensor") : "structured";
+  if (kind != "structured" && kind != "stereo") return "--sensor " + kind + ": must be structured or stereo";
+  if (kind == "stereo") o.sensor = DepthSensor::stereo(o.sensor.camera);
   o.sensor.ideal = values["ideal"].as<bool>();
   return "";
 }

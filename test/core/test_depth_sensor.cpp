@@ -178,3 +178,45 @@ TEST(DepthSensor, SeedDecidesEverythingAndThreadsNothing) {
   EXPECT_EQ(cv::countNonZero(one.true_labels != many.true_labels), 0);
   EXPECT_GT(cv::countNonZero(one.depth_mm != picture(bodies, sensor, 5).depth_mm), 10000);
 }
+
+TEST(DepthSensor, StereoHasThePublishedNoise) {
+  const PinholeCamera camera{615, 615, 319.5, 239.5, 640, 480};
+  const DepthSensor sensor = DepthSensor::stereo(camera);
+  EXPECT_DOUBLE_EQ(sensor.axialSigma(1), sensor.subpixel_px / (615 * sensor.baseline_m));
+  for (const double z : {0.6, 1.2}) {
+    const std::vector<Body> bodies{board(20, 20, z, 0, 1)};
+    Moments error;
+    for (std::uint32_t seed = 0; seed < 8; ++seed) {
+      for (const ushort depth : picture(bodies, sensor, seed).depth_mm) {
+        if (depth > 0) error.add(depth / 1000.0 - z);
+      }
+    }
+    EXPECT_GT(error.count, 8 * 250000);
+    EXPECT_NEAR(error.mean(), -0.0005, 0.0005) << "the board's face is half its thickness nearer";
+    const double rounding = 1.0 / 12 * (1e-6 + sensor.depthStep(z) * sensor.depthStep(z));
+    EXPECT_NEAR(error.deviation(), std::sqrt(sensor.axialSigma(z) * sensor.axialSigma(z) + rounding),
+                0.06 * sensor.axialSigma(z));
+  }
+}
+
+TEST(DepthSensor, StereoBlendsASmallStepAndKeepsALargeOne) {
+  DepthSensor sensor = DepthSensor::stereo({615, 615, 319.5, 239.5, 640, 480});
+  sensor.subpixel_px = 0;
+  // The step's disparity is 615 * 0.05 * step / z^2: 0.31 px for 1 cm at 1 m, 6.8 px for 18 cm.
+  for (const double step : {0.01, 0.18}) {
+    std::vector<Body> bodies{board(20, 20, 1, 0, 1), board(10, 20, 1 - step, 0, 2)};
+    bodies[1].T_world_body = Eigen::Translation3d(5, 0, 1 - step);
+    const SceneImages image = picture(bodies, sensor);
+    int between = 0;
+    for (int u = 300; u < 340; ++u) {
+      const double depth = image.depth_mm(240, u) / 1000.0;
+      if (depth > 0 && depth > 1 - step + 0.0025 && depth < 1 - 0.0025) ++between;
+    }
+    if (step < 0.1) {
+      EXPECT_GE(between, 3) << "no ramp";
+      EXPECT_LE(between, 16);
+    } else {
+      EXPECT_EQ(between, 0) << "a ramp from one thing to another";
+    }
+  }
+}

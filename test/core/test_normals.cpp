@@ -5,6 +5,7 @@
 
 #include "fixtures/ray_cast.hpp"
 #include "objectness_segmentation/scene/normals.hpp"
+#include "objectness_segmentation/scene/refined_normals.hpp"
 
 using namespace objectness;
 using namespace objectness_test;
@@ -165,4 +166,50 @@ TEST(Normals, SameTwice) {
   scene.s0 = 0.001;
   const Frame frame = scene.render();
   EXPECT_TRUE(sameBits(estimateNormals(frame, {}).normal, estimateNormals(frame, {}).normal));
+}
+
+TEST(Normals, FittedDepthIsThePlanes) {
+  Scene scene = bareTable();
+  scene.s0 = 0.002;
+  const Frame noisy = scene.render();
+  scene.s0 = 0;
+  const Frame exact = scene.render();
+  const Normals normals = estimateNormals(noisy, {});
+  double fitted = 0, raw = 0;
+  int count = 0;
+  for (int i = 0; i < noisy.size(); ++i) {
+    if (normals.radius_px[i] == 0) {
+      EXPECT_TRUE(std::isnan(normals.depth_m[i]));
+      continue;
+    }
+    fitted += std::pow(normals.depth_m[i] - exact.points[i].z(), 2);
+    raw += std::pow(noisy.points[i].z() - exact.points[i].z(), 2);
+    ++count;
+  }
+  ASSERT_GT(count, 100000);
+  EXPECT_NEAR(std::sqrt(raw / count), 0.002, 0.0002);
+  EXPECT_LT(std::sqrt(fitted / count), 0.0006);
+}
+
+TEST(Normals, AreRefinedWhereTheTablesOwnArePoor) {
+  for (const double noise : {0.0005, 0.004}) {
+    Scene scene;
+    scene.surfaces = {slab(-0.5, -0.4, 0.5, 0.4, 0), box({-0.1, -0.1, 0}, {0.1, 0, 0.12})};
+    scene.s0 = noise;
+    const Frame frame = scene.render();
+    NormalsConfig config;
+    const Normals first = estimateNormals(frame, config);
+    const Result<Table> table = findTable(frame, first, {});
+    ASSERT_TRUE(table.ok()) << table.status.message;
+    const double before = tableNormalError(frame, first, table.value);
+    const Normals refined = refineNormals(frame, first, table.value, config);
+    const double after = tableNormalError(frame, refined, table.value);
+    if (before <= config.max_error_deg) {
+      EXPECT_LT(noise, 0.001);
+      EXPECT_TRUE(sameBits(first.normal, refined.normal));
+    } else {
+      EXPECT_GT(noise, 0.001) << before << " degrees";
+      EXPECT_LT(after, 0.8 * before);
+    }
+  }
 }

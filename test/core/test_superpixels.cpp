@@ -69,6 +69,47 @@ TEST(Superpixels, StepBetweenParallelFacesCuts) {
   expectNoneInCommon(top(1, 0.10), top(2, 0.115));
 }
 
+TEST(Superpixels, SmallStepBetweenFlushFacesCuts) {
+  // One box on another, their fronts 6 mm apart: less than the window of a normal, which sees no bend there.
+  Scene scene = sceneOf({kTable, box({-0.1, -0.1, 0}, {0.1, 0.1, 0.1}), box({-0.1, -0.094, 0.1}, {0.1, 0.1, 0.2})});
+  scene.s0 = 0.0003, scene.s2 = 0.0005;
+  scene.T_world_camera = lookAt({0, -0.8, 0.3}, {0, 0, 0.1});
+  const CueView view(scene);
+  const auto fronts = [&](const Superpixels& superpixels, int surface) {
+    return labelsWhere(view, superpixels, [&](int seen, const Eigen::Vector3d& p) {
+      return seen == surface && p.y() < -0.09 && std::abs(p.z() - 0.1) < 0.08;
+    });
+  };
+  const Superpixels cut = superpixelsOf(view);
+  expectNoneInCommon(fronts(cut, 1), fronts(cut, 2));
+  SuperpixelsConfig config;
+  config.min_step_m = 1;
+  const Superpixels uncut = superpixelsOf(view, config);
+  std::map<int, int> low = fronts(uncut, 1), high = fronts(uncut, 2);
+  low.erase(0), high.erase(0);
+  EXPECT_EQ(low.begin()->first, high.begin()->first) << "the step cut would not be tested";
+}
+
+TEST(Superpixels, CutsHoldWhereTheyAreOpenSomewhere) {
+  // Two tops side by side with a narrow bridge between them.
+  const Scene scene = sceneOf({kTable, box({-0.15, -0.12, 0}, {0, 0.12, 0.10}),
+                               box({0.02, -0.12, 0}, {0.15, 0.12, 0.10}), box({0, -0.012, 0}, {0.02, 0.012, 0.10})});
+  const CueView view(scene);
+  const auto top = [&](const Superpixels& superpixels, int surface) {
+    std::map<int, int> labels = labelsWhere(view, superpixels, [&](int seen, const Eigen::Vector3d& point) {
+      return seen == surface && point.z() > 0.0999;
+    });
+    labels.erase(0);
+    return labels;
+  };
+  const Superpixels cut = superpixelsOf(view);
+  expectNoneInCommon(top(cut, 1), top(cut, 2));
+  SuperpixelsConfig config;
+  config.narrow_share = 0;
+  const Superpixels uncut = superpixelsOf(view, config);
+  EXPECT_EQ(top(uncut, 1).begin()->first, top(uncut, 2).begin()->first);
+}
+
 TEST(Superpixels, RoundThingsStayWhole) {
   Scene scene = sceneOf({kTable, tube(-0.1, 0, 0, 0.15, 0.04), sphere({0.1, 0, 0.05}, 0.05)});
   scene.T_world_camera = lookAt({0, -0.9, 0.25}, {0, 0, 0.06});  // low: does not see into the tube

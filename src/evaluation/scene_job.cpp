@@ -84,7 +84,7 @@ class Job {
 
   Status run() {
     if (!loadTruth()) return saveResult(report_, result_);
-    const Result<Frame> frame = loadSceneFolder(scene_.folder, {}, InputConfig{});
+    const Result<Frame> frame = loadSceneFolder(scene_.folder, {}, method_.input);
     if (!frame.ok()) return fail(frame.status.message);
     if (annotation_.size() != cv::Size(frame.value.width(), frame.value.height())) {
       return refuse("labels.png is " + sizeText(annotation_.size()) + ", depth.png is " +

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "fixtures/labelled_scene.hpp"
+#include "fixtures/leaf_model.hpp"
 #include "fixtures/tool_test.hpp"
 
 using namespace objectness_test;
@@ -205,6 +206,20 @@ TEST_F(EvaluateTool, BadScenesCostOnlyThemselves) {
   EXPECT_FALSE(readJson("report/summary.json")["mps"]["object"].contains("all"));
 }
 
+TEST_F(EvaluateTool, ParametersAndModelAreThoseGiven) {
+  writeBytes(folder_ / "leaf.json", objectness::toJson(leafModel(0, 0, 0.25f)));
+  const auto recall = [&](const std::string& options) {
+    const Outcome outcome = run("--method objectness --report " + (folder_ / "report") + " " + options + all() + "/s1");
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err.find("are there"), std::string::npos) << "taken for a result of other settings";
+    return readJson("report/summary.json")["objectness"]["object"]["ALL"]["R"].get<double>();
+  };
+  EXPECT_GT(recall(""), 0.9);
+  EXPECT_EQ(recall("--model " + (folder_ / "leaf.json") + " "), 0) << "every group is rather left out";
+  EXPECT_GT(recall("--model " + (folder_ / "leaf.json") + " --set grouping.least_objectness=0.1 runtime.seed=2 "), 0.3);
+  EXPECT_EQ(recall("--set object_points.max_height_m=0.03 "), 0);
+}
+
 TEST_F(EvaluateTool, ReportThatCannotBeWrittenAndNoScenes) {
   writeBytes(folder_ / "file", "x");
   expectOneError(evaluate("file", all()), "cannot write there: ");
@@ -238,7 +253,10 @@ TEST_F(EvaluateTool, WrongCommandLines) {
   for (const char* shard : {"0/3", "4/3", "1", "1/3x", "a/b"}) {
     expectUsageError(std::string("--report r scenes --shard ") + shard, "must be K/N with 1 <= K <= N");
   }
+  expectUsageError("--report r --set grouping.learnd=1 scenes", "there is no parameter grouping.learnd");
+  expectUsageError("--report r --model none.json scenes", "--model none.json: there is no such file");
   expectUsageError("merge --report r", "no SHARD_DIR given");
+  expectUsageError("merge --report r --model m.json a b", "--model: merge takes it from the shards");
   expectUsageError("merge --report r --jobs 2 a b", "--jobs: merge takes it from the shards");
   EXPECT_EQ(run("--help").exit_status, 0);
 }

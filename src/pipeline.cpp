@@ -5,6 +5,7 @@
 
 #include "guarded_segmentation.hpp"
 #include "objectness_segmentation/grouping/bottom_up.hpp"
+#include "objectness_segmentation/grouping/hand_set.hpp"
 #include "objectness_segmentation/search/angle_search.hpp"
 #include "objectness_segmentation/selection/hypotheses.hpp"
 
@@ -124,8 +125,9 @@ void searchBoxes(const Frame& frame, const Config& config, const Stages& stage, 
   });
 }
 
-/// Past the paper: groups of superpixels of any height and tilt, judged by what was learned.
-void groupPieces(const Frame& frame, const Config& config, const LearnedObjectness& model, const Stages& stage,
+/// Past the paper: groups of superpixels of any height and tilt, judged by what was learned, or without a model by
+/// hand.
+void groupPieces(const Frame& frame, const Config& config, const LearnedObjectness* model, const Stages& stage,
                  const Normals& normals, Segmentation& result) {
   const PieceGraph graph = stage("pieces", [&] {
     return findPieceGraph(frame, normals, result.table, result.object_points, result.superpixels, config.pieces,
@@ -136,10 +138,16 @@ void groupPieces(const Frame& frame, const Config& config, const LearnedObjectne
 
   std::vector<Link> links;
   const std::vector<GroupHypothesis> groups = stage("groups", [&] {
-    links = judgePairs(graph.pairs, graph.borders, model);
+    links = model ? judgePairs(graph.pairs, graph.borders, *model)
+                  : judgePairsByRule(graph.pairs, graph.pieces, graph.borders);
     std::vector<GroupHypothesis> proposed = proposeObjects(frame, result.table, result.edges, graph, links,
                                                            config.grouping.max_groups, config.runtime.threads);
-    judgeGroups(model, proposed);
+    if (model) {
+      judgeGroups(*model, proposed);
+    } else {
+      judgeGroupsByHand(config.objectness, config.volume.voxel_m,
+                        config.grouping.least_objectness - config.filter.threshold, proposed);
+    }
     return proposed;
   });
   stage.count("hypotheses", groups.size());
@@ -160,7 +168,8 @@ void run(const Frame& frame, const Config& config, const LearnedObjectness* mode
   const Normals normals = seeScene(frame, config, stage, result);
   if (!result.status.ok()) return;
   if (config.grouping.enabled) {
-    groupPieces(frame, config, model ? *model : defaultModel(), stage, normals, result);
+    const bool learned = config.grouping.learned;
+    groupPieces(frame, config, !learned ? nullptr : model ? model : &defaultModel(), stage, normals, result);
   } else {
     searchBoxes(frame, config, stage, result);
   }

@@ -11,6 +11,7 @@ namespace objectness {
 
 struct GroupingConfig {
   bool enabled = true;
+  bool learned = true;
   int max_groups = 500;
   double weight_objectness = 30.0;
   double least_objectness = 0.4;
@@ -22,9 +23,11 @@ struct GroupingConfig {
   static void fields(Self& self, Visit&& visit) {
     visit("enabled", self.enabled,
           "objects are groups of superpixels, judged by what was learned; off: the paper's own boxes");
+    visit("learned", self.learned,
+          "links and groups are judged by the model; off: by rules set by hand and Eq. 6 of the group's box");
     visit("max_groups", self.max_groups, Range{1, 100000}, "groups that are judged, the best linked ones");
     visit("weight_objectness", self.weight_objectness, Range{0, 1000},
-          "of the learned objectness of a group, per piece, beside the log odds of its links");
+          "of the objectness of a group, per piece, beside the log odds of its links");
     visit("least_objectness", self.least_objectness, Range{0, 1}, "a group under it is rather left out");
     visit("weight_gaps", self.weight_gaps, Range{0, 10}, "of links over a gap; links in contact count 1");
     visit("exact_nodes", self.exact_nodes, Range{0, 100000000},

@@ -140,8 +140,8 @@ void groupPieces(const Frame& frame, const Config& config, const LearnedObjectne
   const std::vector<GroupHypothesis> groups = stage("groups", [&] {
     links = model ? judgePairs(graph.pairs, graph.borders, *model)
                   : judgePairsByRule(graph.pairs, graph.pieces, graph.borders);
-    std::vector<GroupHypothesis> proposed = proposeObjects(frame, result.table, result.edges, graph, links,
-                                                           config.grouping.max_groups, config.runtime.threads);
+    std::vector<GroupHypothesis> proposed =
+        proposeObjects(frame, result.table, result.edges, graph, links, config.grouping, config.runtime.threads);
     if (model) {
       judgeGroups(*model, proposed);
     } else {

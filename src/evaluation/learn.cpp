@@ -129,6 +129,7 @@ class Learner {
     const Samples contact = gather(lessons_, &Lesson::contact, but_fold);
     const Samples gap = gather(lessons_, &Lesson::gap, but_fold);
     for (const Samples* samples : {&contact, &gap}) {
+      if (samples == &gap && !settings_.config.links.gaps) continue;
       const auto same = std::count(samples->targets.begin(), samples->targets.end(), 1.f);
       if (same > 0 && same < static_cast<long>(samples->size())) continue;
       return Status::error(StatusCode::kBadInput, "the scenes hold no two pieces of one object, or none of two, that " +
@@ -136,7 +137,9 @@ class Learner {
                                                       ": more and fuller scenes are needed");
     }
     model.contact = trainForest(contact, settings_.training.contact);
-    model.gap = trainForest(gap, settings_.training.gap);
+    // A model has all its parts: one that saw no gap takes the sides of every gap for two objects.
+    model.gap =
+        settings_.config.links.gaps ? trainForest(gap, settings_.training.gap) : Forest{gap.cues, {{Forest::Node{}}}};
     return {};
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "fixtures/labelled_scene.hpp"
 #include "fixtures/tool_test.hpp"
 #include "objectness_segmentation/pipeline.hpp"
@@ -88,6 +90,24 @@ TEST_F(LearnTool, TheSameModelTwiceWithAnyNumberOfThreads) {
   EXPECT_EQ(readBytes(folder_ / "two.json"), readBytes(folder_ / "one.json"));
 }
 
+TEST_F(LearnTool, LearnsWithoutWhatIsSwitchedOff) {
+  const std::string switches = "--set links.gaps=false group_cues.best_outside=false group_cues.hides=false ";
+  const Outcome outcome = learn("model.json " + switches + set());
+  ASSERT_EQ(outcome.exit_status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find(" 0 gaps,"), std::string::npos) << outcome.out;
+  const auto model = objectness::loadModel(folder_ / "model.json");
+  ASSERT_TRUE(model.ok()) << model.status.message;
+  EXPECT_EQ(model.value.gap.predict(std::vector<float>(model.value.gap.cues.size(), 1)), 0);
+  std::set<std::string> used;
+  for (const auto& tree : model.value.group.trees) {
+    for (const auto& node : tree) {
+      if (node.cue >= 0) used.insert(model.value.group.cues[static_cast<std::size_t>(node.cue)]);
+    }
+  }
+  EXPECT_GT(used.size(), 5u);
+  for (const char* off : {"best_outside", "hides"}) EXPECT_EQ(used.count(off), 0u) << off;
+}
+
 TEST_F(LearnTool, RecordedScenesCountAsOftenAsAsked) {
   std::filesystem::copy(set(), folder_ / "own", std::filesystem::copy_options::recursive);
   const std::string own = folder_ / "own";
@@ -147,6 +167,7 @@ TEST_F(LearnTool, UsageErrors) {
   expectUsageError(out + "--folds 1 " + set(), "--folds must be at least 2");
   expectUsageError(out + "--folds many " + set(), "many");
   expectUsageError(out + "--threads -1 " + set(), "--threads must not be negative");
+  expectUsageError(out + "--set group_cues.smell=false " + set(), "there is no parameter group_cues.smell");
   expectUsageError(out + "--recorded-weight 0 " + set(), "--recorded-weight must be at least 1");
   expectUsageError(out + "--no-such-option " + set(), "no-such-option");
   const Outcome help = run("--help");

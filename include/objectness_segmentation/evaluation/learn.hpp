@@ -14,7 +14,7 @@
 namespace objectness::evaluation {
 
 struct LearnSettings {
-  Config config;
+  Config config;  ///< its cue switches and links.gaps hold for the model: use it with the same
   TrainingConfig training;
   int folds = 5;
   /// How often the samples of a scene count, by its folder; 1 where it has no entry. A few recorded scenes would not be

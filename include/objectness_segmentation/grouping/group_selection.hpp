@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "objectness_segmentation/grouping/cue_switches.hpp"
 #include "objectness_segmentation/grouping/group_cues.hpp"
 #include "objectness_segmentation/segments/segments.hpp"
 #include "objectness_segmentation/selection/set_packing.hpp"
@@ -18,6 +19,7 @@ struct GroupingConfig {
   double weight_gaps = 0.5;
   int exact_nodes = 200000;
   int iterations = 50000;
+  CueSwitches<GroupCues> cues;  // its fields are a group of their own: see Config
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {

@@ -5,6 +5,7 @@
 
 #include "guarded_segmentation.hpp"
 #include "objectness_segmentation/grouping/bottom_up.hpp"
+#include "objectness_segmentation/grouping/group_cost.hpp"
 #include "objectness_segmentation/grouping/hand_set.hpp"
 #include "objectness_segmentation/search/angle_search.hpp"
 #include "objectness_segmentation/selection/hypotheses.hpp"
@@ -125,6 +126,29 @@ void searchBoxes(const Frame& frame, const Config& config, const Stages& stage, 
   });
 }
 
+/// The groups that explain the scene best, none of which share a piece.
+std::vector<int> packGroups(const PackingProblem& problem, const Config& config, const Stages& stage) {
+  const Packing packing =
+      stage("selection", [&] { return selectGroups(problem, config.grouping, config.runtime.seed); });
+  stage.count("selection_proven", packing.optimal);
+  return packing.chosen;
+}
+
+/// Sec. 4.2 over groups: the paper's cost, annealed.
+std::vector<int> annealGroups(const Frame& frame, const Config& config, const Stages& stage, const Pieces& pieces,
+                              const std::vector<GroupHypothesis>& groups, const Table& table) {
+  const Selection selection = stage("selection", [&] {
+    const CostProblem problem =
+        groupCostProblem(frame, table, pieces, groups, config.selection, {config.objectness, config.volume.voxel_m});
+    return selectHypotheses(problem, config.selection, config.runtime.seed);
+  });
+  std::vector<int> chosen;
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    if (selection.active[k]) chosen.push_back(static_cast<int>(k));
+  }
+  return chosen;
+}
+
 /// Past the paper: groups of superpixels of any height and tilt, judged by what was learned, or without a model by
 /// hand.
 void groupPieces(const Frame& frame, const Config& config, const LearnedObjectness* model, const Stages& stage,
@@ -153,12 +177,11 @@ void groupPieces(const Frame& frame, const Config& config, const LearnedObjectne
   stage.count("hypotheses", groups.size());
   result.proposals = rankedBoxes(groups);
 
-  const Packing packing = stage("selection", [&] {
-    const PackingProblem problem = packingProblem(graph.pieces.count(), links, groups, config.grouping);
-    return selectGroups(problem, config.grouping, config.runtime.seed);
-  });
-  stage.count("selection_proven", packing.optimal);
-  result.segments = stage("segments", [&] { return cutGroups(graph.pieces, groups, packing.chosen, config.segments); });
+  const std::vector<int> chosen =
+      config.grouping.paper_cost
+          ? annealGroups(frame, config, stage, graph.pieces, groups, result.table)
+          : packGroups(packingProblem(graph.pieces.count(), links, groups, config.grouping), config, stage);
+  result.segments = stage("segments", [&] { return cutGroups(graph.pieces, groups, chosen, config.segments); });
 }
 
 /// Fills `result` as far as it gets.

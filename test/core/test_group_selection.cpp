@@ -102,3 +102,15 @@ TEST(GroupSelection, ChosenGroupsBecomeSegmentsBestFirst) {
   EXPECT_EQ(segments[1].pixels.back(), 104);
   EXPECT_EQ(segments[2].pixels, pieces.pieces[4].pixels);
 }
+
+TEST(GroupSelection, APieceInTwoChosenGroupsIsTheBetterOnes) {
+  SegmentsConfig config;
+  config.min_pixels = 5;
+  const Pieces pieces = piecesOf({10, 20, 30});
+  const std::vector<GroupHypothesis> groups = {group({0, 1}, 0.6f), group({1, 2}, 0.8f), group({1}, 0.3f)};
+  const std::vector<Segment> segments = cutGroups(pieces, groups, {0, 1, 2}, config);
+  ASSERT_EQ(segments.size(), 2u) << "nothing is left of the last";
+  EXPECT_EQ(segments[0].pixels.size(), 50u);
+  EXPECT_EQ(segments[0].pixels.front(), 100);
+  EXPECT_EQ(segments[1].pixels, pieces.pieces[0].pixels);
+}

@@ -14,6 +14,7 @@ struct GroupingConfig {
   bool enabled = true;
   bool learned = true;
   int max_groups = 500;
+  bool paper_cost = false;
   double weight_objectness = 30.0;
   double least_objectness = 0.4;
   double weight_gaps = 0.5;
@@ -28,6 +29,8 @@ struct GroupingConfig {
     visit("learned", self.learned,
           "links and groups are judged by the model; off: by rules set by hand and Eq. 6 of the group's box");
     visit("max_groups", self.max_groups, Range{1, 100000}, "groups that are judged, the best linked ones");
+    visit("paper_cost", self.paper_cost,
+          "groups are chosen by the paper's cost and annealing (selection), not by set packing");
     visit("weight_objectness", self.weight_objectness, Range{0, 1000},
           "of the objectness of a group, per piece, beside the log odds of its links");
     visit("least_objectness", self.least_objectness, Range{0, 1}, "a group under it is rather left out");
@@ -47,7 +50,8 @@ PackingProblem packingProblem(int pieces, const std::vector<Link>& links, const 
 /// The groups of the best packing found, proven best where branch and bound gets through.
 Packing selectGroups(const PackingProblem& problem, const GroupingConfig& config, unsigned seed);
 
-/// The chosen groups as segments, best objectness first; groups of fewer than config.min_pixels are left out.
+/// The chosen groups as segments, best objectness first; a piece in several of them is the best one's. Groups of fewer
+/// than config.min_pixels are left out.
 std::vector<Segment> cutGroups(const Pieces& pieces, const std::vector<GroupHypothesis>& groups,
                                const std::vector<int>& chosen, const SegmentsConfig& config);
 

@@ -62,6 +62,7 @@ class Stages {
   void count(const char* name, Value value) const {
     report_.counts.emplace_back(name, value);
   }
+  void value(const char* name, double value) const { report_.values.emplace_back(name, value); }
   const std::atomic<bool>* cancelFlag() const { return cancel_; }
 
  private:
@@ -118,6 +119,7 @@ void searchBoxes(const Frame& frame, const Config& config, const Stages& stage, 
   // Sec. 4.2: the globally consistent choice.
   const Selection selection =
       stage("selection", [&] { return selectHypotheses(candidates.problem, config.selection, config.runtime.seed); });
+  stage.value("selection_cost", selection.cost);
 
   // Sec. 4: a segment is what falls within a selected box.
   result.segments = stage("segments", [&] {
@@ -127,21 +129,36 @@ void searchBoxes(const Frame& frame, const Config& config, const Stages& stage, 
 }
 
 /// The groups that explain the scene best, none of which share a piece.
-std::vector<int> packGroups(const PackingProblem& problem, const Config& config, const Stages& stage) {
-  const Packing packing =
-      stage("selection", [&] { return selectGroups(problem, config.grouping, config.runtime.seed); });
+std::vector<int> packGroups(const PieceGraph& graph, const std::vector<Link>& links,
+                            const std::vector<GroupHypothesis>& groups, const Config& config, const Stages& stage) {
+  PackingProblem problem;
+  const Packing packing = stage("selection", [&] {
+    problem = packingProblem(graph.pieces.count(), links, groups, config.grouping);
+    return selectGroups(problem, config.grouping, config.runtime.seed);
+  });
   stage.count("selection_proven", packing.optimal);
+  stage.value("selection_value", packing.value);
+  stage.value("selection_bound", packing.bound);
+  stage.value("selection_gap", packing.gap());
+  if (config.grouping.compare_annealing) {
+    Packing annealed =
+        stage("annealing", [&] { return packByAnnealing(problem, config.grouping.iterations, config.runtime.seed); });
+    annealed.bound = packing.bound;
+    annealed.optimal = packing.optimal && annealed.value >= packing.value;
+    stage.value("annealing_gap", annealed.gap());
+  }
   return packing.chosen;
 }
 
 /// Sec. 4.2 over groups: the paper's cost, annealed.
-std::vector<int> annealGroups(const Frame& frame, const Config& config, const Stages& stage, const Pieces& pieces,
-                              const std::vector<GroupHypothesis>& groups, const Table& table) {
+std::vector<int> annealGroups(const Frame& frame, const Table& table, const Pieces& pieces,
+                              const std::vector<GroupHypothesis>& groups, const Config& config, const Stages& stage) {
   const Selection selection = stage("selection", [&] {
     const CostProblem problem =
         groupCostProblem(frame, table, pieces, groups, config.selection, {config.objectness, config.volume.voxel_m});
     return selectHypotheses(problem, config.selection, config.runtime.seed);
   });
+  stage.value("selection_cost", selection.cost);
   std::vector<int> chosen;
   for (std::size_t k = 0; k < groups.size(); ++k) {
     if (selection.active[k]) chosen.push_back(static_cast<int>(k));
@@ -177,10 +194,9 @@ void groupPieces(const Frame& frame, const Config& config, const LearnedObjectne
   stage.count("hypotheses", groups.size());
   result.proposals = rankedBoxes(groups);
 
-  const std::vector<int> chosen =
-      config.grouping.paper_cost
-          ? annealGroups(frame, config, stage, graph.pieces, groups, result.table)
-          : packGroups(packingProblem(graph.pieces.count(), links, groups, config.grouping), config, stage);
+  const std::vector<int> chosen = config.grouping.paper_cost
+                                      ? annealGroups(frame, result.table, graph.pieces, groups, config, stage)
+                                      : packGroups(graph, links, groups, config, stage);
   result.segments = stage("segments", [&] { return cutGroups(graph.pieces, groups, chosen, config.segments); });
 }
 

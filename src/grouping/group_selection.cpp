@@ -6,6 +6,11 @@
 #include "group_parts.hpp"
 
 namespace objectness {
+namespace {
+
+constexpr double kRounding = 1e-9;  // of values and bounds that are summed up in different orders
+
+}  // namespace
 
 PackingProblem packingProblem(int pieces, const std::vector<Link>& links, const std::vector<GroupHypothesis>& groups,
                               const GroupingConfig& config) {
@@ -29,12 +34,13 @@ PackingProblem packingProblem(int pieces, const std::vector<Link>& links, const 
 }
 
 Packing selectGroups(const PackingProblem& problem, const GroupingConfig& config, unsigned seed) {
-  Packing exact = packExactly(problem, config.exact_nodes);
+  const Packing exact = packExactly(problem, config.exact_nodes);
   if (exact.optimal) return exact;
-  Packing annealed = packByAnnealing(problem, config.iterations, seed);
-  annealed.bound = std::min(annealed.bound, exact.bound);
-  exact.bound = annealed.bound;
-  return annealed.value > exact.value ? annealed : exact;
+  const Packing annealed = packByAnnealing(problem, config.iterations, seed);
+  Packing best = annealed.value > exact.value ? annealed : exact;
+  best.bound = std::min(annealed.bound, exact.bound);
+  best.optimal = best.value >= best.bound - kRounding;
+  return best;
 }
 
 std::vector<Segment> cutGroups(const Pieces& pieces, const std::vector<GroupHypothesis>& groups,

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -218,6 +220,24 @@ TEST_F(EvaluateTool, ParametersAndModelAreThoseGiven) {
   EXPECT_EQ(recall("--model " + (folder_ / "leaf.json") + " "), 0) << "every group is rather left out";
   EXPECT_GT(recall("--model " + (folder_ / "leaf.json") + " --set grouping.least_objectness=0.1 runtime.seed=2 "), 0.3);
   EXPECT_EQ(recall("--set object_points.max_height_m=0.03 "), 0);
+}
+
+TEST_F(EvaluateTool, GapsOfTheChoiceAreReportedWhereThereIsOne) {
+  const std::string scene = all() + "/s1 --report " + (folder_ / "report") + " ";
+  const Outcome outcome = run("--method objectness --method mps --set grouping.compare_annealing=true " + scene);
+  ASSERT_EQ(outcome.exit_status, 0) << outcome.err;
+  const Json summary = readJson("report/summary.json");
+  for (const char* gap : {"selection_gap", "selection_gap_max", "annealing_gap", "annealing_gap_max"}) {
+    EXPECT_EQ(summary["objectness"]["object"]["ALL"].value(gap, -1.0), 0)
+        << "three things apart are no riddle: " << gap;
+    EXPECT_FALSE(summary["mps"]["object"]["ALL"].contains(gap));
+  }
+  EXPECT_NE(outcome.out.find("annealing_gap_max 0.00000"), std::string::npos) << outcome.out;
+
+  ASSERT_EQ(run("--method objectness --set grouping.exact_nodes=0 grouping.iterations=0 " + scene).exit_status, 0);
+  const Json unproven = readJson("report/summary.json")["objectness"]["object"]["ALL"];
+  EXPECT_GE(unproven["selection_gap"], 0);
+  EXPECT_FALSE(unproven.contains("annealing_gap"));
 }
 
 TEST_F(EvaluateTool, ReportThatCannotBeWrittenAndNoScenes) {

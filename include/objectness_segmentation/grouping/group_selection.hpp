@@ -20,6 +20,7 @@ struct GroupingConfig {
   double weight_gaps = 0.5;
   int exact_nodes = 200000;
   int iterations = 50000;
+  bool compare_annealing = false;
   CueSwitches<GroupCues> cues;  // its fields are a group of their own: see Config
 
   template <class Self, class Visit>
@@ -38,6 +39,8 @@ struct GroupingConfig {
     visit("exact_nodes", self.exact_nodes, Range{0, 100000000},
           "branch and bound gives up after so many steps, and annealing tries to better what it found");
     visit("iterations", self.iterations, Range{0, 10000000}, "annealing: moves tried");
+    visit("compare_annealing", self.compare_annealing,
+          "annealing is tried in any case, to report how far from the best packing it ends; the choice stays the same");
   }
 };
 
@@ -47,7 +50,8 @@ struct GroupingConfig {
 PackingProblem packingProblem(int pieces, const std::vector<Link>& links, const std::vector<GroupHypothesis>& groups,
                               const GroupingConfig& config);
 
-/// The groups of the best packing found, proven best where branch and bound gets through.
+/// The groups of the best packing found, proven best where branch and bound gets through or annealing reaches the
+/// bound.
 Packing selectGroups(const PackingProblem& problem, const GroupingConfig& config, unsigned seed);
 
 /// The chosen groups as segments, best objectness first; a piece in several of them is the best one's. Groups of fewer

@@ -33,6 +33,18 @@ int fail(const std::string& message, int status) {
   return status;
 }
 
+/// Empty when the file can be written; looked at before hours of learning, not after.
+std::string outputProblem(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return "it is a folder";
+  if (fs::exists(path, ignored)) return access(path.c_str(), W_OK) == 0 ? "" : "no permission to write";
+  const fs::path parent = fs::path(path).parent_path();
+  const std::string folder = parent.empty() ? "." : parent.string();
+  if (!fs::is_directory(folder, ignored)) return "there is no folder " + folder;
+  return access(folder.c_str(), W_OK | X_OK) == 0 ? "" : "no permission to write into " + folder;
+}
+
 void printScores(const std::vector<HeldOutScores>& held_out) {
   std::map<std::string, std::pair<int, std::map<std::string, double>>> groups;
   std::vector<std::string> columns;
@@ -62,6 +74,8 @@ int run(const po::variables_map& values) {
   const Status read = readParameterOptions(values, inputs, {}, settings.config);
   if (!read.ok()) return fail(read.message + " (learn_objectness --help)", 2);
   if (inputs.empty()) return fail("no SCENES given (learn_objectness --help)", 2);
+  const std::string path = textOf(values, "out"), problem = outputProblem(path);
+  if (!problem.empty()) return fail("--out " + path + ": cannot be written: " + problem, 1);
   const Result<SceneList> list = findScenes(inputs, textOf(values, "groups"));
   if (!list.ok()) return fail(list.status.message, 1);
   for (const std::string& error : list.value.errors) fail(error, 1);
@@ -91,7 +105,6 @@ int run(const po::variables_map& values) {
             << learned.value.gaps << " gaps, " << learned.value.groups << " groups\n";
   printScores(learned.value.held_out);
 
-  const std::string path = values["out"].as<std::string>();
   std::ofstream file(path);
   file << toJson(learned.value.model) << "\n";
   file.close();

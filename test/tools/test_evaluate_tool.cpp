@@ -240,6 +240,23 @@ TEST_F(EvaluateTool, GapsOfTheChoiceAreReportedWhereThereIsOne) {
   EXPECT_FALSE(unproven.contains("annealing_gap"));
 }
 
+TEST_F(EvaluateTool, TheAblationPrintsARowForEachPartSwitchedOff) {
+  const std::string command = REPOSITORY_DIR "/scripts/ablation --build " TOOL_DIR "/../../.. --only 'single pieces' " +
+                              ("--report " + (folder_ / "ablation")) + " " + all() + "/s1 >" + (folder_ / "table");
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const std::string table = readBytes(folder_ / "table");
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 4) << table;
+  const auto recall = [&](const std::string& row) {
+    const Json summary = readJson("ablation/" + row + "/summary.json");
+    return summary["objectness"]["object"]["ALL"]["R"].get<double>();
+  };
+  EXPECT_GT(recall("nothing"), recall("groups_single_pieces") + 0.1) << "boxes show more than one face";
+  char cell[32];
+  std::snprintf(cell, sizeof cell, " %.3f |", recall("groups_single_pieces"));
+  EXPECT_NE(table.find("| groups | single pieces |"), std::string::npos) << table;
+  EXPECT_NE(table.find(cell, table.find("single pieces")), std::string::npos) << table;
+}
+
 TEST_F(EvaluateTool, ReportThatCannotBeWrittenAndNoScenes) {
   writeBytes(folder_ / "file", "x");
   expectOneError(evaluate("file", all()), "cannot write there: ");

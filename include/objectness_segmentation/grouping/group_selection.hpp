@@ -5,6 +5,7 @@
 
 #include "objectness_segmentation/grouping/cue_switches.hpp"
 #include "objectness_segmentation/grouping/group_cues.hpp"
+#include "objectness_segmentation/grouping/propose_groups.hpp"
 #include "objectness_segmentation/segments/segments.hpp"
 #include "objectness_segmentation/selection/set_packing.hpp"
 
@@ -13,6 +14,7 @@ namespace objectness {
 struct GroupingConfig {
   bool enabled = true;
   bool learned = true;
+  GroupKinds kinds;
   int max_groups = 500;
   bool paper_cost = false;
   double weight_objectness = 30.0;
@@ -29,6 +31,9 @@ struct GroupingConfig {
           "objects are groups of superpixels, judged by what was learned; off: the paper's own boxes");
     visit("learned", self.learned,
           "links and groups are judged by the model; off: by rules set by hand and Eq. 6 of the group's box");
+    visit("dendrograms", self.kinds.dendrograms, "groups are proposed that three ways of merging pieces pass through");
+    visit("grown", self.kinds.grown,
+          "groups are proposed that grow from each piece, and those with a piece more or less");
     visit("max_groups", self.max_groups, Range{1, 100000}, "groups that are judged, the best linked ones");
     visit("paper_cost", self.paper_cost,
           "groups are chosen by the paper's cost and annealing (selection), not by set packing");

@@ -5,6 +5,8 @@
 
 #include "guarded_segmentation.hpp"
 #include "objectness_segmentation/grouping/bottom_up.hpp"
+#include "objectness_segmentation/grouping/group_cost.hpp"
+#include "objectness_segmentation/grouping/hand_set.hpp"
 #include "objectness_segmentation/scene/refined_normals.hpp"
 #include "objectness_segmentation/search/angle_search.hpp"
 #include "objectness_segmentation/selection/hypotheses.hpp"
@@ -61,6 +63,7 @@ class Stages {
   void count(const char* name, Value value) const {
     report_.counts.emplace_back(name, value);
   }
+  void value(const char* name, double value) const { report_.values.emplace_back(name, value); }
   const std::atomic<bool>* cancelFlag() const { return cancel_; }
 
  private:
@@ -119,6 +122,7 @@ void searchBoxes(const Frame& frame, const Config& config, const Stages& stage, 
   // Sec. 4.2: the globally consistent choice.
   const Selection selection =
       stage("selection", [&] { return selectHypotheses(candidates.problem, config.selection, config.runtime.seed); });
+  stage.value("selection_cost", selection.cost);
 
   // Sec. 4: a segment is what falls within a selected box.
   result.segments = stage("segments", [&] {
@@ -127,8 +131,47 @@ void searchBoxes(const Frame& frame, const Config& config, const Stages& stage, 
   });
 }
 
-/// Past the paper: groups of superpixels of any height and tilt, judged by what was learned.
-void groupPieces(const Frame& frame, const Config& config, const LearnedObjectness& model, const Stages& stage,
+/// The groups that explain the scene best, none of which share a piece.
+std::vector<int> packGroups(const PieceGraph& graph, const std::vector<Link>& links,
+                            const std::vector<GroupHypothesis>& groups, const Config& config, const Stages& stage) {
+  PackingProblem problem;
+  const Packing packing = stage("selection", [&] {
+    problem = packingProblem(graph.pieces.count(), links, groups, config.grouping);
+    return selectGroups(problem, config.grouping, config.runtime.seed);
+  });
+  stage.count("selection_proven", packing.optimal);
+  stage.value("selection_value", packing.value);
+  stage.value("selection_bound", packing.bound);
+  stage.value("selection_gap", packing.gap());
+  if (config.grouping.compare_annealing) {
+    Packing annealed =
+        stage("annealing", [&] { return packByAnnealing(problem, config.grouping.iterations, config.runtime.seed); });
+    annealed.bound = packing.bound;
+    annealed.optimal = packing.optimal && annealed.value >= packing.value;
+    stage.value("annealing_gap", annealed.gap());
+  }
+  return packing.chosen;
+}
+
+/// Sec. 4.2 over groups: the paper's cost, annealed.
+std::vector<int> annealGroups(const Frame& frame, const Table& table, const Pieces& pieces,
+                              const std::vector<GroupHypothesis>& groups, const Config& config, const Stages& stage) {
+  const Selection selection = stage("selection", [&] {
+    const CostProblem problem =
+        groupCostProblem(frame, table, pieces, groups, config.selection, {config.objectness, config.volume.voxel_m});
+    return selectHypotheses(problem, config.selection, config.runtime.seed);
+  });
+  stage.value("selection_cost", selection.cost);
+  std::vector<int> chosen;
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    if (selection.active[k]) chosen.push_back(static_cast<int>(k));
+  }
+  return chosen;
+}
+
+/// Past the paper: groups of superpixels of any height and tilt, judged by what was learned, or without a model by
+/// hand.
+void groupPieces(const Frame& frame, const Config& config, const LearnedObjectness* model, const Stages& stage,
                  const Normals& normals, Segmentation& result) {
   const PieceGraph graph = stage("pieces", [&] {
     return findPieceGraph(frame, normals, result.table, result.object_points, result.superpixels, config.pieces,
@@ -139,21 +182,25 @@ void groupPieces(const Frame& frame, const Config& config, const LearnedObjectne
 
   std::vector<Link> links;
   const std::vector<GroupHypothesis> groups = stage("groups", [&] {
-    links = judgePairs(graph.pairs, graph.borders, model);
-    std::vector<GroupHypothesis> proposed = proposeObjects(frame, result.table, result.edges, graph, links,
-                                                           config.grouping.max_groups, config.runtime.threads);
-    judgeGroups(model, proposed);
+    links = model ? judgePairs(graph.pairs, graph.borders, *model)
+                  : judgePairsByRule(graph.pairs, graph.pieces, graph.borders);
+    std::vector<GroupHypothesis> proposed =
+        proposeObjects(frame, result.table, result.edges, graph, links, config.grouping, config.runtime.threads);
+    if (model) {
+      judgeGroups(*model, proposed);
+    } else {
+      judgeGroupsByHand(config.objectness, config.volume.voxel_m,
+                        config.grouping.least_objectness - config.filter.threshold, proposed);
+    }
     return proposed;
   });
   stage.count("hypotheses", groups.size());
   result.proposals = rankedBoxes(groups);
 
-  const Packing packing = stage("selection", [&] {
-    const PackingProblem problem = packingProblem(graph.pieces.count(), links, groups, config.grouping);
-    return selectGroups(problem, config.grouping, config.runtime.seed);
-  });
-  stage.count("selection_proven", packing.optimal);
-  result.segments = stage("segments", [&] { return cutGroups(graph.pieces, groups, packing.chosen, config.segments); });
+  const std::vector<int> chosen = config.grouping.paper_cost
+                                      ? annealGroups(frame, result.table, graph.pieces, groups, config, stage)
+                                      : packGroups(graph, links, groups, config, stage);
+  result.segments = stage("segments", [&] { return cutGroups(graph.pieces, groups, chosen, config.segments); });
 }
 
 /// Fills `result` as far as it gets.
@@ -163,7 +210,8 @@ void run(const Frame& frame, const Config& config, const LearnedObjectness* mode
   const Normals normals = seeScene(frame, config, stage, result);
   if (!result.status.ok()) return;
   if (config.grouping.enabled) {
-    groupPieces(frame, config, model ? *model : defaultModel(), stage, normals, result);
+    const bool learned = config.grouping.learned;
+    groupPieces(frame, config, !learned ? nullptr : model ? model : &defaultModel(), stage, normals, result);
   } else {
     searchBoxes(frame, config, stage, result);
   }

@@ -67,7 +67,10 @@ struct Config {
     visit("selection", self.selection);
     visit("pieces", self.pieces);
     visit("links", self.links);
+    visit("contact_cues", self.links.contact_cues);
+    visit("gap_cues", self.links.gap_cues);
     visit("grouping", self.grouping);
+    visit("group_cues", self.grouping.cues);
     visit("segments", self.segments);
     visit("runtime", self.runtime);
   }

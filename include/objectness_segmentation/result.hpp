@@ -20,6 +20,7 @@ namespace objectness {
 struct Report {
   StageTimes timings_ms;                                     ///< per stage, in order; "total" last
   std::vector<std::pair<std::string, std::int64_t>> counts;  ///< "boxes_sampled", "boxes_scored", "boxes_passed", ...
+  std::vector<std::pair<std::string, double>> values;        ///< "selection_value", "selection_bound", ...
 };
 
 /// Everything that is known about a frame. When status is not ok(), what the stages before the failure found is kept.

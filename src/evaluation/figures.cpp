@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/evaluation/figures.hpp"
 
+#include <algorithm>
+#include <map>
+
 namespace objectness::evaluation {
 namespace {
 
@@ -39,6 +42,28 @@ Figures poolProposals(const std::vector<Figures>& scenes) {
   }
   for (auto& [name, value] : pooled) {
     if (name != kObjects) value /= count;
+  }
+  return pooled;
+}
+
+Figures poolGaps(const std::vector<Figures>& scenes) {
+  struct Pool {
+    double sum = 0, largest = 0;
+    int count = 0;
+  };
+  std::map<std::string, Pool> pools;
+  for (const Figures& scene : scenes) {
+    for (const auto& [name, value] : scene) {
+      Pool& pool = pools[name];
+      pool.sum += value;
+      pool.largest = std::max(pool.largest, value);
+      ++pool.count;
+    }
+  }
+  Figures pooled;
+  for (const auto& [name, pool] : pools) {
+    pooled.emplace_back(name, pool.sum / pool.count);
+    pooled.emplace_back(name + "_max", pool.largest);
   }
   return pooled;
 }

@@ -82,6 +82,7 @@ class Learner {
       if (const Status status = trainPairs(fold, folds[fold]); !status.ok()) return Result<LearnedModel>::error(status);
     }
     forEachScene("groups", [&](const Labelled& labelled, Lesson& lesson) {
+      if (!lesson.problem.empty()) return;
       const TrainingScene scene = observe(labelled.frame, labelled.truth, settings_.config);
       addGroupSamples(scene, folds[lesson.fold], settings_.config, settings_.training, lesson.group);
     });
@@ -90,6 +91,7 @@ class Learner {
     }
     std::vector<std::optional<Scores>> scores(scenes_.size());
     forEachScene("held out", [&](const Labelled& labelled, Lesson& lesson) {
+      // A scene whose table is not found counts as one where nothing was found, as it does in use.
       const Segmentation result = segment(labelled.frame, settings_.config, folds[lesson.fold]);
       scores[&lesson - lessons_.data()] = scoreLabels(result.labels, truthAtLevel(labelled.truth, Level::kObject));
     });
@@ -116,7 +118,7 @@ class Learner {
     parallelFor(static_cast<int>(scenes_.size()), settings_.threads, [&](int i) {
       const Labelled labelled = load(scenes_[i], settings_.config);
       if (labelled.status.ok()) {
-        if (lessons_[i].problem.empty()) work(labelled, lessons_[i]);
+        work(labelled, lessons_[i]);
       } else {
         lessons_[i].problem = labelled.status.message;
       }
@@ -129,6 +131,7 @@ class Learner {
     const Samples contact = gather(lessons_, &Lesson::contact, but_fold);
     const Samples gap = gather(lessons_, &Lesson::gap, but_fold);
     for (const Samples* samples : {&contact, &gap}) {
+      if (samples == &gap && !settings_.config.links.gaps) continue;
       const auto same = std::count(samples->targets.begin(), samples->targets.end(), 1.f);
       if (same > 0 && same < static_cast<long>(samples->size())) continue;
       return Status::error(StatusCode::kBadInput, "the scenes hold no two pieces of one object, or none of two, that " +
@@ -136,7 +139,9 @@ class Learner {
                                                       ": more and fuller scenes are needed");
     }
     model.contact = trainForest(contact, settings_.training.contact);
-    model.gap = trainForest(gap, settings_.training.gap);
+    // A model has all its parts: one that saw no gap takes the sides of every gap for two objects.
+    model.gap =
+        settings_.config.links.gaps ? trainForest(gap, settings_.training.gap) : Forest{gap.cues, {{Forest::Node{}}}};
     return {};
   }
 
@@ -148,6 +153,10 @@ class Learner {
 }  // namespace
 
 Result<LearnedModel> learn(const std::vector<Scene>& scenes, const LearnSettings& settings) {
+  if (settings.folds < 2) {
+    return Result<LearnedModel>::error(StatusCode::kBadInput,
+                                       std::to_string(settings.folds) + " folds: there must be at least 2");
+  }
   if (scenes.size() < static_cast<std::size_t>(settings.folds)) {
     return Result<LearnedModel>::error(
         StatusCode::kBadInput,

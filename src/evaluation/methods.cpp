@@ -2,6 +2,8 @@
 #include "objectness_segmentation/evaluation/methods.hpp"
 
 #include <algorithm>
+#include <boost/crc.hpp>
+#include <memory>
 
 #include "objectness_segmentation/io/config_yaml.hpp"
 #include "objectness_segmentation/peers/peers.hpp"
@@ -11,29 +13,48 @@ namespace objectness::evaluation {
 namespace {
 
 Method ownMethod(const std::string& name, const std::string& description, const Config& config) {
-  return {name, description, toYaml(config), [config](const Frame& frame) { return segment(frame, config); }, true};
+  return {name, description, toYaml(config), [config](const Frame& frame) { return segment(frame, config); },
+          true, config.input};
 }
 
-/// Peers get the table and the points above it that the package's defaults find.
+/// Results of different models must not be taken for one another: a model is known by the sum of all it holds.
+Method learnedMethod(const std::string& name, const std::string& description, const Config& config,
+                     const std::optional<LearnedObjectness>& model) {
+  Method method = ownMethod(name, description, config);
+  if (!model) return method;
+  const std::string text = toJson(*model);
+  boost::crc_32_type sum;
+  sum.process_bytes(text.data(), text.size());
+  method.settings += "\nmodel: " + model->trained_on + " (checksum " + std::to_string(sum.checksum()) + ")\n";
+  method.run = [config, shared = std::make_shared<const LearnedObjectness>(*model)](const Frame& frame) {
+    return segment(frame, config, *shared);
+  };
+  return method;
+}
+
+/// Peers get the table and the points above it that the package finds.
 Method peerMethod(Peer peer, const std::string& description, const Config& config) {
-  return {toString(peer), description, settingsText(peer, PeersConfig{}) + "\n\n" + toYaml(config),
-          [peer, config](const Frame& frame) { return segmentWithPeer(peer, frame, config, PeersConfig{}); }};
+  return {toString(peer),
+          description,
+          settingsText(peer, PeersConfig{}) + "\n\n" + toYaml(config),
+          [peer, config](const Frame& frame) { return segmentWithPeer(peer, frame, config, PeersConfig{}); },
+          false,
+          config.input};
 }
 
-std::vector<Method> allMethods(int threads) {
-  Config defaults;
-  defaults.runtime.threads = threads;
-  Config paper = defaults;
+std::vector<Method> allMethods(Config config, const std::optional<LearnedObjectness>& model) {
+  config.grouping.enabled = true;
+  Config paper = config;
   paper.grouping.enabled = false;
   Config plain_boxes = paper;
   plain_boxes.segments.follow_superpixels = false;
   return {
-      ownMethod("objectness", "The package's default.", defaults),
+      learnedMethod("objectness", "The package's default.", config, model),
       ownMethod("paper", "The paper's system; whole superpixels follow the box that holds most of them.", paper),
       ownMethod("boxes", "The paper's system; segments are the pixels within its boxes.", plain_boxes),
-      peerMethod(Peer::kMps, "PCL's organized multi-plane segmentation, the paper's baseline.", defaults),
-      peerMethod(Peer::kLccp, "PCL's locally convex connected patches over supervoxels.", defaults),
-      peerMethod(Peer::kCpc, "PCL's constrained planar cuts over supervoxels.", defaults),
+      peerMethod(Peer::kMps, "PCL's organized multi-plane segmentation, the paper's baseline.", config),
+      peerMethod(Peer::kLccp, "PCL's locally convex connected patches over supervoxels.", config),
+      peerMethod(Peer::kCpc, "PCL's constrained planar cuts over supervoxels.", config),
   };
 }
 
@@ -41,12 +62,13 @@ std::vector<Method> allMethods(int threads) {
 
 std::vector<std::string> methodNames() {
   std::vector<std::string> names;
-  for (const Method& method : allMethods(1)) names.push_back(method.name);
+  for (const Method& method : allMethods({}, {})) names.push_back(method.name);
   return names;
 }
 
-Result<std::vector<Method>> makeMethods(const std::vector<std::string>& names, int threads) {
-  const std::vector<Method> all = allMethods(threads);
+Result<std::vector<Method>> makeMethods(const std::vector<std::string>& names, const Config& config,
+                                        const std::optional<LearnedObjectness>& model) {
+  const std::vector<Method> all = allMethods(config, model);
   Result<std::vector<Method>> chosen;
   for (const std::string& name : names) {
     const auto method = std::find_if(all.begin(), all.end(), [&](const Method& m) { return m.name == name; });

@@ -84,7 +84,7 @@ class Job {
 
   Status run() {
     if (!loadTruth()) return saveResult(report_, result_);
-    const Result<Frame> frame = loadSceneFolder(scene_.folder, {}, InputConfig{});
+    const Result<Frame> frame = loadSceneFolder(scene_.folder, {}, method_.input);
     if (!frame.ok()) return fail(frame.status.message);
     if (annotation_.size() != cv::Size(frame.value.width(), frame.value.height())) {
       return refuse("labels.png is " + sizeText(annotation_.size()) + ", depth.png is " +
@@ -93,6 +93,9 @@ class Job {
     const Segmentation found = runGuarded(method_, frame.value);
     result_.peak_mib = peakMemoryMib();
     result_.timings_ms = found.report.timings_ms;
+    for (const auto& [name, value] : found.report.values) {
+      if (name == "selection_gap" || name == "annealing_gap") result_.gaps.emplace_back(name, value);
+    }
     if (!found.status.ok()) return fail(found.status.message);
     result_.segments = static_cast<int>(found.segments.size());
     score(found.labels);

@@ -47,6 +47,7 @@ SceneResult toResult(const Json& json) {
   json.at("segments").get_to(result.segments);
   for (const auto& [column, value] : json.at("proposals").items())
     result.proposals.emplace_back(column, value.get<double>());
+  for (const auto& [name, value] : json.at("gaps").items()) result.gaps.emplace_back(name, value.get<double>());
   for (const auto& [stage, ms] : json.at("timings_ms").items()) result.timings_ms.emplace_back(stage, ms.get<double>());
   json.at("peak_mib").get_to(result.peak_mib);
   return result;
@@ -66,7 +67,8 @@ std::string resultPath(const std::string& report, const std::string& method, con
 }
 
 Status saveResult(const std::string& report, const SceneResult& result) {
-  Json timings = Json::object(), proposals = Json::object();
+  Json timings = Json::object(), proposals = Json::object(), gaps = Json::object();
+  for (const auto& [name, value] : result.gaps) gaps[name] = value;
   for (const auto& [column, value] : result.proposals) proposals[column] = value;
   for (const auto& [stage, ms] : result.timings_ms) timings[stage] = ms;
   const Json json = {{"scene", result.scene},
@@ -77,6 +79,7 @@ Status saveResult(const std::string& report, const SceneResult& result) {
                      {"part", toJson(result.part)},
                      {"segments", result.segments},
                      {"proposals", proposals},
+                     {"gaps", gaps},
                      {"timings_ms", timings},
                      {"peak_mib", result.peak_mib},
                      {"made_from", result.made_from}};

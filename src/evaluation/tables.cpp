@@ -51,7 +51,7 @@ struct Sums {
   int scenes = 0;
   std::vector<double> ms;
   double peak_mib = 0;
-  std::vector<Figures> proposals;
+  std::vector<Figures> proposals, gaps;
 
   static Scores zero() {
     Scores scores;
@@ -67,7 +67,9 @@ struct Sums {
     ++scenes;
     if (const auto total = result.totalMs()) ms.push_back(*total);
     peak_mib = std::max(peak_mib, result.peak_mib);
-    if (level == Level::kObject) proposals.push_back(result.proposals);
+    if (level != Level::kObject) return;
+    proposals.push_back(result.proposals);
+    gaps.push_back(result.gaps);
   }
   Figures columns() const {
     Figures columns{{"scenes", scenes}};
@@ -77,7 +79,7 @@ struct Sums {
     return columns;
   }
   SummaryRow row(const std::string& method, Level level, const std::string& group) const {
-    return {method, toString(level), group, columns(), poolProposals(proposals)};
+    return {method, toString(level), group, columns(), poolProposals(proposals), poolGaps(gaps)};
   }
 };
 
@@ -152,6 +154,12 @@ std::string toText(const std::vector<SummaryRow>& rows) {
     }
     text << '\n';
   }
+  for (const SummaryRow& row : rows) {
+    if (row.group != kAllGroups || row.gaps.empty()) continue;
+    text << row.method << ", short of the best choice at most:";
+    for (const auto& [name, value] : row.gaps) text << ' ' << name << ' ' << fixed(value, 5);
+    text << '\n';
+  }
   return text.str();
 }
 
@@ -161,6 +169,7 @@ Status writeTables(const std::string& report, const Run& run, const std::vector<
     Json& columns = summary[row.method][row.level][row.group];
     for (const auto& [name, value] : row.columns) columns[name] = name == "scenes" ? Json(int(value)) : Json(value);
     for (const auto& [name, value] : row.proposals) columns[name] = value;
+    for (const auto& [name, value] : row.gaps) columns[name] = value;
   }
   const auto file = [&](const char* name) { return (fs::path(report) / name).string(); };
   const Status status = writeFile(file("scenes.csv"), toCsv(run, results));

@@ -17,10 +17,12 @@ PieceGraph findPieceGraph(const Frame& frame, const Normals& normals, const Tabl
 }
 
 std::vector<GroupHypothesis> proposeObjects(const Frame& frame, const Table& table, const EdgeMap& edges,
-                                            const PieceGraph& graph, const std::vector<Link>& links, int max_groups,
-                                            int threads) {
-  const auto groups = proposeGroups(graph.pieces.count(), links, max_groups);
-  return describeGroups({frame, table, edges, graph.pieces, graph.borders, links}, groups, threads);
+                                            const PieceGraph& graph, const std::vector<Link>& links,
+                                            const GroupingConfig& config, int threads) {
+  const auto groups = proposeGroups(graph.pieces.count(), links, config.max_groups, config.kinds);
+  auto described = describeGroups({frame, table, edges, graph.pieces, graph.borders, links}, groups, threads);
+  for (GroupHypothesis& group : described) group.cues = config.cues(group.cues);
+  return described;
 }
 
 void judgeGroups(const LearnedObjectness& model, std::vector<GroupHypothesis>& groups) {

@@ -6,6 +6,11 @@
 #include "group_parts.hpp"
 
 namespace objectness {
+namespace {
+
+constexpr double kRounding = 1e-9;  // of values and bounds that are summed up in different orders
+
+}  // namespace
 
 PackingProblem packingProblem(int pieces, const std::vector<Link>& links, const std::vector<GroupHypothesis>& groups,
                               const GroupingConfig& config) {
@@ -29,32 +34,37 @@ PackingProblem packingProblem(int pieces, const std::vector<Link>& links, const 
 }
 
 Packing selectGroups(const PackingProblem& problem, const GroupingConfig& config, unsigned seed) {
-  Packing exact = packExactly(problem, config.exact_nodes);
+  const Packing exact = packExactly(problem, config.exact_nodes);
   if (exact.optimal) return exact;
-  Packing annealed = packByAnnealing(problem, config.iterations, seed);
-  annealed.bound = std::min(annealed.bound, exact.bound);
-  exact.bound = annealed.bound;
-  return annealed.value > exact.value ? annealed : exact;
+  const Packing annealed = packByAnnealing(problem, config.iterations, seed);
+  Packing best = annealed.value > exact.value ? annealed : exact;
+  best.bound = std::min(annealed.bound, exact.bound);
+  best.optimal = best.value >= best.bound - kRounding;
+  return best;
 }
 
 std::vector<Segment> cutGroups(const Pieces& pieces, const std::vector<GroupHypothesis>& groups,
                                const std::vector<int>& chosen, const SegmentsConfig& config) {
+  std::vector<int> best_first = chosen;
+  std::stable_sort(best_first.begin(), best_first.end(),
+                   [&](int a, int b) { return groups[a].objectness > groups[b].objectness; });
   std::vector<Segment> segments;
-  for (const int k : chosen) {
+  std::vector<char> taken(pieces.pieces.size(), 0);
+  for (const int k : best_first) {
     const GroupHypothesis& group = groups[k];
     Segment segment;
     segment.box = group.box;
     segment.objectness = group.objectness;
     segment.cues = {group.cues.edge_density, group.cues.outer_edges, group.cues.straddling, group.cues.free, 0};
     for (const int piece : group.pieces) {
+      if (taken[piece]) continue;
+      taken[piece] = 1;
       const std::vector<int>& pixels = pieces.pieces[piece].pixels;
       segment.pixels.insert(segment.pixels.end(), pixels.begin(), pixels.end());
     }
     std::sort(segment.pixels.begin(), segment.pixels.end());
     if (static_cast<int>(segment.pixels.size()) >= config.min_pixels) segments.push_back(std::move(segment));
   }
-  std::stable_sort(segments.begin(), segments.end(),
-                   [](const Segment& a, const Segment& b) { return a.objectness > b.objectness; });
   return segments;
 }
 

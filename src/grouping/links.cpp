@@ -19,12 +19,13 @@ std::vector<PairEvidence> findPairEvidence(const Frame& frame, const Normals& no
     for (int second = first + 1; second < pieces.count(); ++second) {
       const auto border = borders.pairs.find({first, second});
       if (border != borders.pairs.end() && !border->second.samples.empty()) {
-        evidence.push_back(
-            {first, second, findContactCues(frame, normals, table, superpixels, pieces, borders, first, second)});
-      } else if (const auto gap =
-                     findGapCues(frame, table, object_points, pieces, outlines, first, second, config.max_gap_m)) {
-        evidence.push_back({first, second, *gap});
+        const ContactCues cues = findContactCues(frame, normals, table, superpixels, pieces, borders, first, second);
+        evidence.push_back({first, second, config.contact_cues(cues)});
+        continue;
       }
+      if (!config.gaps) continue;
+      const auto gap = findGapCues(frame, table, object_points, pieces, outlines, first, second, config.max_gap_m);
+      if (gap) evidence.push_back({first, second, config.gap_cues(*gap)});
     }
   }
   return evidence;

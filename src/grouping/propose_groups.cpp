@@ -24,12 +24,16 @@ class Proposer {
     }
   }
 
-  std::vector<Group> run(std::size_t most) {
+  std::vector<Group> run(std::size_t most, const GroupKinds& kinds) {
     for (int k = 0; k < count_; ++k) groups_.insert({k});
-    for (const int linkage : {0, 1, 2}) merge(linkage);
-    for (int k = 0; k < count_; ++k) grow(k);
-    const std::vector<Group> base(groups_.begin(), groups_.end());
-    for (const Group& group : base) vary(group);
+    if (kinds.dendrograms) {
+      for (const int linkage : {0, 1, 2}) merge(linkage);
+    }
+    if (kinds.grown) {
+      for (int k = 0; k < count_; ++k) grow(k);
+      const std::vector<Group> base(groups_.begin(), groups_.end());
+      for (const Group& group : base) vary(group);
+    }
     std::vector<Group> all(groups_.begin(), groups_.end());
     if (all.size() > most) {
       std::stable_sort(all.begin(), all.end(), [&](const Group& a, const Group& b) { return rank(a) > rank(b); });
@@ -140,8 +144,9 @@ class Proposer {
 
 }  // namespace
 
-std::vector<std::vector<int>> proposeGroups(int pieces, const std::vector<Link>& links, std::size_t most) {
-  return Proposer(pieces, links).run(most);
+std::vector<std::vector<int>> proposeGroups(int pieces, const std::vector<Link>& links, std::size_t most,
+                                            const GroupKinds& kinds) {
+  return Proposer(pieces, links).run(most, kinds);
 }
 
 }  // namespace objectness

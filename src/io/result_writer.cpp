@@ -52,6 +52,7 @@ Json toJson(const Segment& segment, std::size_t label) {
 Json toJson(const Report& report) {
   Json json = Json::object();
   for (const auto& [name, count] : report.counts) json[name] = count;
+  for (const auto& [name, value] : report.values) json[name] = value;
   Json& timings = json["timings_ms"] = Json::object();
   for (const auto& [stage, ms] : report.timings_ms) timings[stage] = std::round(ms * 1000) / 1000;
   return json;

@@ -97,7 +97,7 @@ void addGroupSamples(const TrainingScene& scene, const LearnedObjectness& model,
                      const TrainingConfig& training, Samples& group) {
   const std::vector<Link> links = judgePairs(scene.graph.pairs, scene.graph.borders, model);
   const std::vector<GroupHypothesis> groups = proposeObjects(scene.frame, scene.table, scene.edges, scene.graph, links,
-                                                             config.grouping.max_groups, config.runtime.threads);
+                                                             config.grouping, config.runtime.threads);
   const std::size_t kept = std::min<std::size_t>(training.max_groups_per_scene, groups.size());
   for (std::size_t k = 0; k < kept; ++k) {
     const GroupHypothesis& drawn = groups[k * groups.size() / kept];

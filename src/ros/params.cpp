@@ -89,7 +89,11 @@ void visitList(Message& message, const ConfigField& field, Visit&& visit) {
 
 std::string parameterName(const ConfigField& field) { return field.group + "_" + field.name; }
 
-bool isReconfigurable(const ConfigField& field) { return field.group != "runtime"; }
+bool isReconfigurable(const ConfigField& field) {
+  // Switches of single cues are for experiments: a robot's model knows them all.
+  static const std::set<std::string> at_start = {"runtime", "contact_cues", "gap_cues", "group_cues"};
+  return at_start.count(field.group) == 0;
+}
 
 ReadParameters readParameters(const ros::NodeHandle& nh, const std::vector<std::string>& others) {
   ReadParameters result;

@@ -29,7 +29,7 @@ SegmentBagReport segmentBag(const BagInput& input, const SegmentBagSettings& set
       return true;
     }
     const auto start = std::chrono::steady_clock::now();
-    const SegmentedFrame result = segmentMessages(messages, settings.config, settings.cancel);
+    const SegmentedFrame result = segmentMessages(messages, settings.config, settings.model, settings.cancel);
     if (settings.cancel && *settings.cancel) return false;
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
 

@@ -30,13 +30,15 @@ SegmentedFrame failure(const std::string& what) {
 }  // namespace
 
 SegmentedFrame segmentMessages(const InputMessages& messages, const objectness::Config& config,
+                               const std::optional<objectness::LearnedObjectness>& model,
                                const std::atomic<bool>* cancel) {
   try {
     SegmentedFrame result;
     auto frame = toFrame(messages, config.input);
     if (frame.ok()) {
       result.frame = std::move(frame.value);
-      result.segmentation = objectness::segment(result.frame, config, cancel);
+      result.segmentation = model ? objectness::segment(result.frame, config, *model, cancel)
+                                  : objectness::segment(result.frame, config, cancel);
     } else {
       result.segmentation.status = std::move(frame.status);
     }

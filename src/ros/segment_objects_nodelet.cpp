@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <pluginlib/class_list_macros.hpp>
+#include <utility>
 
 #include "objectness_segmentation/io/config_yaml.hpp"
 #include "objectness_segmentation/ros/diagnostics.hpp"
@@ -17,8 +18,8 @@ namespace {
 constexpr std::chrono::seconds kWarningPeriod{10};
 
 /// Parameters in ~ that are no configuration fields: the nodelet's own, and those of what it is built from.
-const std::vector<std::string> kOwnParameters = {"queue_size", "approximate_sync", "lazy", "diagnostic_period",
-                                                 "num_worker_threads"};
+const std::vector<std::string> kOwnParameters = {"queue_size",        "approximate_sync",   "lazy",
+                                                 "diagnostic_period", "num_worker_threads", "model"};
 
 std::string join(const std::vector<std::string>& sentences) {
   std::string text;
@@ -48,6 +49,12 @@ void SegmentObjectsNodelet::initialize() {
   config_ = parameters.config;
   NODELET_DEBUG("configuration:\n%s", objectness::toYaml(config_).c_str());
 
+  std::string model;
+  if (private_nh.hasParam("model") && !private_nh.getParam("model", model)) {
+    NODELET_WARN("parameter %s must be the path of a file: it is not used", private_nh.resolveName("model").c_str());
+  }
+  if (!model.empty()) loadModel(model);
+
   const auto on_exception = [this](const std::string& what) {
     statistics_.noteException(what);
     NODELET_ERROR("exception while publishing: %s", what.c_str());
@@ -68,6 +75,18 @@ void SegmentObjectsNodelet::initialize() {
 
   advertise();
   updateSubscriptions();
+}
+
+/// Not by the built-in one in its place: results of another model than the one asked for would look as good.
+void SegmentObjectsNodelet::loadModel(const std::string& path) {
+  auto loaded = objectness::loadModel(path);
+  if (loaded.ok()) {
+    model_ = std::move(loaded.value);
+    return;
+  }
+  model_status_ =
+      objectness::Status::error(objectness::StatusCode::kBadConfig, "~model " + path + ": " + loaded.status.message);
+  NODELET_ERROR("no frame will be segmented: %s", model_status_.message.c_str());
 }
 
 void SegmentObjectsNodelet::startReconfigure() {
@@ -147,6 +166,7 @@ void SegmentObjectsNodelet::diagnose(diagnostic_updater::DiagnosticStatusWrapper
     state = {inputs_->subscribed(), inputs_->cloudsSeen(), inputs_->cameraInfosSeen(), worker_->dropped()};
   }
   describe(statistics_.take(), state, status);
+  if (!model_status_.ok()) status.summary(diagnostic_msgs::DiagnosticStatus::ERROR, model_status_.message);
 }
 
 void SegmentObjectsNodelet::process(const InputMessages& messages) {
@@ -156,7 +176,9 @@ void SegmentObjectsNodelet::process(const InputMessages& messages) {
     std::lock_guard<std::mutex> lock(config_mutex_);
     config = config_;
   }
-  const SegmentedFrame result = segmentMessages(messages, config, &worker_->stopFlag());
+  SegmentedFrame result;
+  result.segmentation.status = model_status_;
+  if (model_status_.ok()) result = segmentMessages(messages, config, model_, &worker_->stopFlag());
   if (worker_->stopFlag()) return;
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 

@@ -11,6 +11,8 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <string>
 
 #include "objectness_segmentation/ros/frame_statistics.hpp"
 #include "objectness_segmentation/ros/latest_only_worker.hpp"
@@ -30,6 +32,7 @@ class SegmentObjectsNodelet : public nodelet::Nodelet {
 
   void onInit() override;
   void initialize();
+  void loadModel(const std::string& path);
   void startReconfigure();
   void advertise();
 
@@ -45,6 +48,8 @@ class SegmentObjectsNodelet : public nodelet::Nodelet {
   void warnThrottled(const objectness::Status& status);
 
   bool lazy_ = true;
+  std::optional<objectness::LearnedObjectness> model_;  // of ~model, none: the built-in one; from the start the same
+  objectness::Status model_status_;                     // not ok: no frame is segmented, each is answered with it
 
   std::mutex config_mutex_;
   objectness::Config config_;              // guarded by config_mutex_

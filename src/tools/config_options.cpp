@@ -22,19 +22,31 @@ bool isAssignment(const std::string& text) {
 
 }  // namespace
 
-void addConfigOptions(po::options_description& options) {
+void addParameterOptions(po::options_description& options) {
   auto add = options.add_options();
-  add("method", po::value<std::string>()->value_name("NAME"),
-      "objectness: groups of superpixels of any height and tilt, judged by what was learned (the default); paper: the "
-      "paper's boxes, weighed by hand (grouping.enabled)");
   add("config", po::value<std::string>()->value_name("FILE.yaml"), "preset of parameters (group: {field: value})");
   add("set", po::value<std::vector<std::string>>()->value_name("NAME=VALUE")->composing(),
       "set a parameter after the preset, as group.field=value; may be repeated, and more may follow each");
+}
+
+void addModelOption(po::options_description& options) {
+  options.add_options()("model", po::value<std::string>()->value_name("FILE.json"),
+                        "model of learn_objectness for the method objectness (default: the one that is built in)");
+}
+
+void addConfigOptions(po::options_description& options) {
+  options.add_options()("method", po::value<std::string>()->value_name("NAME"),
+                        "objectness: groups of superpixels of any height and tilt, judged by what was learned (the "
+                        "default); paper: the paper's boxes, weighed by hand (grouping.enabled)");
+  addParameterOptions(options);
+  addModelOption(options);
+  auto add = options.add_options();
   add("threads", po::value<std::string>()->value_name("N"), "worker threads, 0: one per processor (runtime.threads)");
   add("seed", po::value<std::string>()->value_name("N"), "seed of the selection (runtime.seed)");
 }
 
-Status readConfigOptions(const po::variables_map& values, std::vector<std::string>& inputs, Config& config) {
+Status readParameterOptions(const po::variables_map& values, std::vector<std::string>& inputs,
+                            const std::vector<std::string>& more, Config& config) {
   if (values.count("config")) {
     const auto path = values["config"].as<std::string>();
     const Status status = loadConfig(path, config);
@@ -48,6 +60,12 @@ Status readConfigOptions(const po::variables_map& values, std::vector<std::strin
     std::move(first, inputs.end(), std::back_inserter(assignments));
     inputs.erase(first, inputs.end());
   }
+  assignments.insert(assignments.end(), more.begin(), more.end());
+  return setParameters(assignments, config);
+}
+
+Status readConfigOptions(const po::variables_map& values, std::vector<std::string>& inputs, Config& config) {
+  std::vector<std::string> assignments;
   if (values.count("method")) {
     const auto method = values["method"].as<std::string>();
     if (method != "objectness" && method != "paper") {
@@ -60,7 +78,16 @@ Status readConfigOptions(const po::variables_map& values, std::vector<std::strin
     if (values.count(name))
       assignments.push_back(std::string("runtime.") + name + "=" + values[name].as<std::string>());
   }
-  return setParameters(assignments, config);
+  return readParameterOptions(values, inputs, assignments, config);
+}
+
+Status readModelOption(const po::variables_map& values, std::optional<LearnedObjectness>& model) {
+  if (!values.count("model")) return {};
+  const auto path = values["model"].as<std::string>();
+  Result<LearnedObjectness> loaded = loadModel(path);
+  if (!loaded.ok()) return Status::error(StatusCode::kBadConfig, "--model " + path + ": " + loaded.status.message);
+  model = std::move(loaded.value);
+  return {};
 }
 
 }  // namespace objectness

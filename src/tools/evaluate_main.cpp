@@ -91,7 +91,7 @@ ExitStatus evaluate(const EvaluateOptions& options) {
   std::sort(scenes.begin(), scenes.end(), [](const Scene& a, const Scene& b) { return a.name < b.name; });
   scenes = ofShard(scenes, options.shard, options.shards);
 
-  const Result<std::vector<Method>> methods = makeMethods(options.methods, options.threads);
+  const Result<std::vector<Method>> methods = makeMethods(options.methods, options.config, options.model);
   if (!methods.ok()) return fail(methods.status.message);
   Run run{commit(), {describeMachine()}, options.jobs, options.shard, options.shards, options.levels, {}, {}};
   for (const Method& m : methods.value) run.methods.push_back({m.name, m.description, m.settings});

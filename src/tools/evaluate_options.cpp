@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "command_line.hpp"
+#include "config_options.hpp"
 #include "objectness_segmentation/evaluation/methods.hpp"
 
 namespace objectness::evaluation {
@@ -58,6 +59,8 @@ po::options_description shownOptions() {
   add("level", list()->value_name("object|part"),
       "what counts as one object of the truth: whole objects or their annotated parts; may be repeated (default: "
       "object)");
+  addParameterOptions(options);
+  addModelOption(options);
   add("jobs", po::value<int>()->value_name("N")->default_value(1),
       "scenes at a time; compare milliseconds only of runs with 1");
   add("threads", po::value<int>()->value_name("N")->default_value(2),
@@ -86,7 +89,7 @@ std::string readPlaces(const po::variables_map& values, EvaluateOptions& options
   options.merge = !options.inputs.empty() && options.inputs.front() == "merge";
   if (options.merge) {
     options.inputs.erase(options.inputs.begin());
-    for (const char* name : {"method", "level", "jobs", "threads", "shard", "groups"}) {
+    for (const char* name : {"method", "level", "config", "set", "model", "jobs", "threads", "shard", "groups"}) {
       if (values.count(name) && !values[name].defaulted()) {
         return std::string("--") + name + ": merge takes it from the shards";
       }
@@ -99,7 +102,7 @@ std::string readPlaces(const po::variables_map& values, EvaluateOptions& options
 std::string readMethodsAndLevels(const po::variables_map& values, EvaluateOptions& options) {
   options.methods = listOf(values, "method");
   if (options.methods.empty()) options.methods = methodNames();
-  const auto methods = makeMethods(options.methods, 1);
+  const auto methods = makeMethods(options.methods, {});
   if (!methods.ok()) return "--method: " + methods.status.message;
   for (const std::string& level : listOf(values, "level")) {
     if (level != "object" && level != "part") return "--level " + level + ": must be object or part";
@@ -129,6 +132,13 @@ std::string readWork(const po::variables_map& values, EvaluateOptions& options) 
   return problem;
 }
 
+std::string readParameters(const po::variables_map& values, EvaluateOptions& options) {
+  Status status = readParameterOptions(values, options.inputs, {"runtime.threads=" + std::to_string(options.threads)},
+                                       options.config);
+  if (status.ok()) status = readModelOption(values, options.model);
+  return status.message;
+}
+
 Result<EvaluateOptions> interpret(const po::variables_map& values) {
   Result<EvaluateOptions> options;
   if (values["help"].as<bool>()) {
@@ -137,7 +147,7 @@ Result<EvaluateOptions> interpret(const po::variables_map& values) {
     options.value.print = help.str();
     return options;
   }
-  for (const auto read : {readPlaces, readMethodsAndLevels, readWork}) {
+  for (const auto read : {readPlaces, readMethodsAndLevels, readWork, readParameters}) {
     const std::string problem = read(values, options.value);
     if (!problem.empty()) return bad(problem);
   }

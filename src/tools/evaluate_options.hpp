@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "objectness_segmentation/common/status.hpp"
+#include "objectness_segmentation/config.hpp"
 #include "objectness_segmentation/evaluation/scores.hpp"
+#include "objectness_segmentation/learning/learned_objectness.hpp"
 
 namespace objectness::evaluation {
 
@@ -14,6 +17,8 @@ struct EvaluateOptions {
   bool merge = false;                ///< inputs are report folders of shards, not scenes
   std::vector<std::string> methods;  ///< names that makeMethods() knows
   std::vector<Level> levels;
+  Config config;                           ///< of every method, as far as it heeds it
+  std::optional<LearnedObjectness> model;  ///< of the method objectness, none: the built-in one
   int jobs = 1, threads = 2;
   int shard = 1, shards = 1;
   std::string groups_file, report;

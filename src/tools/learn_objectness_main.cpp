@@ -10,6 +10,7 @@
 #include <map>
 
 #include "command_line.hpp"
+#include "config_options.hpp"
 #include "objectness_segmentation/evaluation/learn.hpp"
 #include "tool_message.hpp"
 
@@ -24,11 +25,24 @@ constexpr const char* kIntroduction =
     "  learn_objectness --out MODEL.json [OPTION...] SCENES...\n\n"
     "SCENES are scene folders with labels.png, or folders of such. Prints how well scenes are segmented by models "
     "that\n"
-    "were learned without them (cross-validation), by group.\n\n";
+    "were learned without them (cross-validation), by group. Cues and gap links that --set switches off\n"
+    "(group_cues.free=false, links.gaps=false) are not learned from; use the model with the same switches.\n\n";
 
 int fail(const std::string& message, int status) {
   printToolMessage("learn_objectness", message);
   return status;
+}
+
+/// Empty when the file can be written; looked at before hours of learning, not after.
+std::string outputProblem(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return "it is a folder";
+  if (fs::exists(path, ignored)) return access(path.c_str(), W_OK) == 0 ? "" : "no permission to write";
+  const fs::path parent = fs::path(path).parent_path();
+  const std::string folder = parent.empty() ? "." : parent.string();
+  if (!fs::is_directory(folder, ignored)) return "there is no folder " + folder;
+  return access(folder.c_str(), W_OK | X_OK) == 0 ? "" : "no permission to write into " + folder;
 }
 
 void printScores(const std::vector<HeldOutScores>& held_out) {
@@ -55,14 +69,18 @@ void printScores(const std::vector<HeldOutScores>& held_out) {
 }
 
 int run(const po::variables_map& values) {
-  const std::vector<std::string> inputs = listOf(values, "input");
+  std::vector<std::string> inputs = listOf(values, "input");
+  LearnSettings settings;
+  const Status read = readParameterOptions(values, inputs, {}, settings.config);
+  if (!read.ok()) return fail(read.message + " (learn_objectness --help)", 2);
   if (inputs.empty()) return fail("no SCENES given (learn_objectness --help)", 2);
+  const std::string path = textOf(values, "out"), problem = outputProblem(path);
+  if (!problem.empty()) return fail("--out " + path + ": cannot be written: " + problem, 1);
   const Result<SceneList> list = findScenes(inputs, textOf(values, "groups"));
   if (!list.ok()) return fail(list.status.message, 1);
   for (const std::string& error : list.value.errors) fail(error, 1);
   if (!list.value.errors.empty()) return 1;
 
-  LearnSettings settings;
   settings.folds = values["folds"].as<int>();
   settings.threads = values["threads"].as<int>();
   if (settings.threads < 0) return fail("--threads must not be negative", 2);
@@ -87,7 +105,6 @@ int run(const po::variables_map& values) {
             << learned.value.gaps << " gaps, " << learned.value.groups << " groups\n";
   printScores(learned.value.held_out);
 
-  const std::string path = values["out"].as<std::string>();
   std::ofstream file(path);
   file << toJson(learned.value.model) << "\n";
   file.close();
@@ -103,6 +120,7 @@ int main(int argc, char** argv) {
   add("note", po::value<std::string>()->value_name("TEXT")->default_value(""),
       "what it was learned from, in words; kept in the model");
   add("groups", po::value<std::string>()->value_name("FILE.csv"), "groups of the scenes (columns scene, group)");
+  addParameterOptions(options);
   add("recorded-weight", po::value<int>()->value_name("N")->default_value(1),
       "scenes that make_scene did not make (without pose.yaml) count N times");
   add("folds", po::value<int>()->value_name("N")->default_value(5), "of the cross-validation");

@@ -60,6 +60,8 @@ Options interpret(const po::variables_map& values) {
   std::vector<std::string> inputs = objectness::listOf(values, "input");
   const auto status = objectness::readConfigOptions(values, inputs, value.settings.config);
   if (!status.ok()) return bad(status.message);
+  const auto model = objectness::readModelOption(values, value.settings.model);
+  if (!model.ok()) return bad(model.message);
   value.settings.approximate_sync = values["approximate-sync"].as<bool>();
   value.topics = {objectness::textOf(values, "points"), objectness::textOf(values, "camera-info")};
   value.out = objectness::textOf(values, "out");

@@ -47,7 +47,8 @@ Status segmentInput(const std::string& input, const std::string& folder, const S
                     std::string& summary) {
   const Result<Frame> frame = loadInput(input, options.camera, options.config.input);
   if (!frame.ok()) return frame.status;
-  const Segmentation result = segment(frame.value, options.config);
+  const Segmentation result =
+      options.model ? segment(frame.value, options.config, *options.model) : segment(frame.value, options.config);
   if (!result.status.ok()) return result.status;
   const Status written = writeResult(folder, input, frame.value, result, options.pictures);
   std::ostringstream text;

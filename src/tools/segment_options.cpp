@@ -78,6 +78,8 @@ Result<SegmentOptions> interpret(const po::variables_map& values) {
     return options;
   }
 
+  const Status model = readModelOption(values, options.value.model);
+  if (!model.ok()) return bad(model.message);
   if (values.count("camera")) {
     const Result<PinholeCamera> camera = loadCamera(text("camera"));
     if (!camera.ok()) return bad("--camera " + text("camera") + ": " + camera.status.message);

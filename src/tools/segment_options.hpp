@@ -7,6 +7,7 @@
 
 #include "objectness_segmentation/common/status.hpp"
 #include "objectness_segmentation/config.hpp"
+#include "objectness_segmentation/learning/learned_objectness.hpp"
 #include "objectness_segmentation/scene/camera.hpp"
 
 namespace objectness {
@@ -14,6 +15,7 @@ namespace objectness {
 /// What the command line of `segment` asks for.
 struct SegmentOptions {
   Config config;
+  std::optional<LearnedObjectness> model;  ///< none: the built-in one
   std::optional<PinholeCamera> camera;
   std::string out;
   bool pictures = false;

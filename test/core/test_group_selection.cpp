@@ -79,6 +79,32 @@ TEST(GroupSelection, WithoutStepsAnnealingChooses) {
   EXPECT_FALSE(greedy.optimal);
 }
 
+TEST(GroupSelection, AnnealingThatReachesTheBoundIsProof) {
+  // Greedy takes the large set; the others fill their elements with the best shares there are.
+  PackingProblem problem;
+  problem.elements = 5;
+  problem.sets = {{0, 1}, {2, 3}, {1, 2, 4}, {4}};
+  problem.values = {4, 4, 4.5, 1.5};
+  GroupingConfig config;
+  config.exact_nodes = 0;
+  config.iterations = 0;
+  const Packing greedy = selectGroups(problem, config, 1);
+  EXPECT_EQ(greedy.value, 4.5);
+  EXPECT_FALSE(greedy.optimal);
+  EXPECT_NEAR(greedy.gap(), 5 / 9.5, 1e-12);
+  config.iterations = 20000;
+  const Packing annealed = selectGroups(problem, config, 1);
+  EXPECT_EQ(annealed.chosen, (std::vector<int>{0, 1, 3}));
+  EXPECT_TRUE(annealed.optimal);
+  EXPECT_EQ(annealed.gap(), 0);
+
+  problem.values[2] = 6.3;  // its shares loosen the bound: the same choice is best, but not proven to be
+  const Packing unproven = selectGroups(problem, config, 1);
+  EXPECT_EQ(unproven.chosen, annealed.chosen);
+  EXPECT_FALSE(unproven.optimal);
+  EXPECT_NEAR(unproven.gap(), 0.8 / 10.3, 1e-12) << "2 + 2.1 + 2.1 + 2 + 2.1";
+}
+
 TEST(GroupSelection, ChosenGroupsBecomeSegmentsBestFirst) {
   SegmentsConfig config;
   config.min_pixels = 20;
@@ -101,4 +127,16 @@ TEST(GroupSelection, ChosenGroupsBecomeSegmentsBestFirst) {
   EXPECT_EQ(segments[1].pixels.front(), 0);
   EXPECT_EQ(segments[1].pixels.back(), 104);
   EXPECT_EQ(segments[2].pixels, pieces.pieces[4].pixels);
+}
+
+TEST(GroupSelection, APieceInTwoChosenGroupsIsTheBetterOnes) {
+  SegmentsConfig config;
+  config.min_pixels = 5;
+  const Pieces pieces = piecesOf({10, 20, 30});
+  const std::vector<GroupHypothesis> groups = {group({0, 1}, 0.6f), group({1, 2}, 0.8f), group({1}, 0.3f)};
+  const std::vector<Segment> segments = cutGroups(pieces, groups, {0, 1, 2}, config);
+  ASSERT_EQ(segments.size(), 2u) << "nothing is left of the last";
+  EXPECT_EQ(segments[0].pixels.size(), 50u);
+  EXPECT_EQ(segments[0].pixels.front(), 100);
+  EXPECT_EQ(segments[1].pixels, pieces.pieces[0].pixels);
 }

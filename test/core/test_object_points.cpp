@@ -109,7 +109,7 @@ TEST(ObjectPoints, LeaveOutWhatReachesOverTheCeilingFromBesideTheTable) {
   // An arm whose foot is behind the table.
   ObjectPointsConfig config;
   config.max_height_m = 0.2;
-  const View view({kTable, box({-0.15, 0.1, 0.15}, {-0.05, 0.6, 0.35}), box({0.1, -0.05, 0}, {0.2, 0.05, 0.15})},
+  const View view({kTable, box({-0.15, 0.1, 0.25}, {-0.05, 0.6, 0.35}), box({0.1, -0.05, 0}, {0.2, 0.05, 0.15})},
                   config);
   EXPECT_EQ(view.masked(1), 0);
   EXPECT_GT(view.masked(2), 0.95);

@@ -126,3 +126,24 @@ TEST(ProposeGroups, TheOrderOfLinksDoesNotCount) {
   std::reverse(links.begin(), links.end());
   EXPECT_EQ(proposeGroups(8, links, 25), groups);
 }
+
+TEST(ProposeGroups, KindsCanBeLeftOut) {
+  std::mt19937 random(4);
+  std::vector<Link> links;
+  for (int a = 0; a < 12; ++a) {
+    for (int b = a + 1; b < 12; ++b) links.push_back(link(a, b, static_cast<float>(random() % 100) / 100));
+  }
+  const std::vector<Group> all = proposeGroups(12, links, kMany),
+                           merged = proposeGroups(12, links, kMany, {true, false}),
+                           grown = proposeGroups(12, links, kMany, {false, true});
+  std::vector<Group> singles;
+  for (int k = 0; k < 12; ++k) singles.push_back({k});
+  EXPECT_EQ(proposeGroups(12, links, kMany, {false, false}), singles);
+  for (const std::vector<Group>* some : {&merged, &grown}) {
+    EXPECT_GT(some->size(), singles.size());
+    EXPECT_LT(some->size(), all.size()) << "only merging makes groups of all, only growing those beside its ways";
+    EXPECT_TRUE(std::includes(all.begin(), all.end(), some->begin(), some->end()));
+    EXPECT_TRUE(std::includes(some->begin(), some->end(), singles.begin(), singles.end()));
+  }
+  EXPECT_LE(merged.size(), 12u + 3 * 11) << "a merge each";
+}

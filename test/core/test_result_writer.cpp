@@ -42,6 +42,7 @@ struct Sample {
     result.segments.push_back(segment);
     result.report.timings_ms = {{"normals", 1.5}, {"total", 2.5}};
     result.report.counts = {{"boxes_sampled", 123456789012}, {"boxes_scored", 7}};
+    result.report.values = {{"selection_gap", 0.125}};
   }
 };
 
@@ -66,6 +67,7 @@ TEST(ResultWriter, JsonHoldsEverything) {
       nlohmann::json({{"edge_density", 0.5}, {"outer_edges", 0.25}, {"straddling", 0.75}, {"free_space", 0.125}}));
   EXPECT_EQ(object["points"], 10);
   EXPECT_EQ(json["report"]["boxes_sampled"], 123456789012);
+  EXPECT_EQ(json["report"]["selection_gap"], 0.125);
   EXPECT_EQ(json["report"]["timings_ms"]["total"], 2.5);
 }
 

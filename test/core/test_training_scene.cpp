@@ -91,9 +91,9 @@ TEST_F(TrainingSceneTest, GroupsAreWorthTheirOverlap) {
   training.max_groups_per_scene = 1000000;
   Samples all = samplesOf<GroupCues>();
   addGroupSamples(scene_, defaultModel(), config, training, all);
-  const auto groups = proposeObjects(frame_, scene_.table, scene_.edges, scene_.graph,
-                                     judgePairs(scene_.graph.pairs, scene_.graph.borders, defaultModel()),
-                                     config.grouping.max_groups, 1);
+  const auto groups =
+      proposeObjects(frame_, scene_.table, scene_.edges, scene_.graph,
+                     judgePairs(scene_.graph.pairs, scene_.graph.borders, defaultModel()), config.grouping, 1);
   ASSERT_EQ(all.size(), groups.size());
   for (std::size_t i = 0; i < groups.size(); ++i) {
     cv::Mat_<uchar> mask = cv::Mat_<uchar>::zeros(truth_.size());

@@ -63,3 +63,13 @@ TEST(Tables, ProposalsAreMeansOverTheScenesThatHaveThem) {
   EXPECT_NEAR(value(pooled, "best_P"), 0.75, 1e-12);
   EXPECT_TRUE(poolProposals({{}, {}}).empty());
 }
+
+TEST(Tables, GapsAreMeansAndLargestOfTheScenesThatHaveThem) {
+  const Figures pooled = poolGaps({{{"selection_gap", 0.1}}, {}, {{"selection_gap", 0}, {"annealing_gap", 0.04}}});
+  EXPECT_EQ(pooled.size(), 4u);
+  EXPECT_NEAR(value(pooled, "selection_gap"), 0.05, 1e-12);
+  EXPECT_NEAR(value(pooled, "selection_gap_max"), 0.1, 1e-12);
+  EXPECT_NEAR(value(pooled, "annealing_gap"), 0.04, 1e-12);
+  EXPECT_NEAR(value(pooled, "annealing_gap_max"), 0.04, 1e-12);
+  EXPECT_TRUE(poolGaps({{}}).empty());
+}

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <nodelet/NodeletLoad.h>
+#include <nodelet/NodeletUnload.h>
 #include <objectness_segmentation/SegmentedObjectArray.h>
 #include <ros/ros.h>
 #include <sensor_msgs/CameraInfo.h>
@@ -61,6 +63,36 @@ class Listener {
   ros::NodeHandle nh_;
   ros::Subscriber subscriber_;
   boost::shared_ptr<const Message> newest_;
+};
+
+/// A second nodelet of the kind in the manager; its topics lie below /second. model: its ~model.
+class SecondNodelet {
+ public:
+  SecondNodelet(const std::string& points, const std::string& camera_info, const std::string& model = "") {
+    ros::param::set("/second/model", model);
+    nodelet::NodeletLoad load;
+    load.request.name = "/second";
+    load.request.type = "objectness_segmentation/SegmentObjects";
+    load.request.remap_source_args = {"points", "camera_info"};
+    load.request.remap_target_args = {points, camera_info};
+    loaded_ = ros::service::call("/manager/load_nodelet", load) && load.response.success;
+  }
+  ~SecondNodelet() {
+    if (loaded_) {
+      EXPECT_TRUE(unload());
+    }
+    ros::param::del("/second");
+  }
+  bool loaded() const { return loaded_; }
+  bool unload() {
+    nodelet::NodeletUnload unload;
+    unload.request.name = "/second";
+    loaded_ = !(ros::service::call("/manager/unload_nodelet", unload) && unload.response.success);
+    return !loaded_;
+  }
+
+ private:
+  bool loaded_ = false;
 };
 
 struct TrueBox {

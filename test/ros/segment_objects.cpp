@@ -4,8 +4,6 @@
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <gtest/gtest.h>
-#include <nodelet/NodeletLoad.h>
-#include <nodelet/NodeletUnload.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
 
 #include <algorithm>
@@ -16,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "fixtures/leaf_model.hpp"
+#include "fixtures/temporary_folder.hpp"
 #include "nodelet_fixture.hpp"
 #include "objectness_segmentation/ros/params.hpp"
 
@@ -207,23 +207,50 @@ TEST_F(SegmentObjects, SendsDiagnostics) {
 
 TEST_F(SegmentObjects, UnloadsInMidFrameAndLeavesTheManagerAlive) {
   for (int round = 0; round < 3; ++round) {
-    nodelet::NodeletLoad load;
-    load.request.name = "/second";
-    load.request.type = "objectness_segmentation/SegmentObjects";
-    load.request.remap_source_args = {"points", "camera_info"};
-    load.request.remap_target_args = {cloud_publisher_.getTopic(), camera_publisher_.getTopic()};
-    ASSERT_TRUE(ros::service::call("/manager/load_nodelet", load));
-    ASSERT_TRUE(load.response.success);
+    SecondNodelet nodelet(cloud_publisher_.getTopic(), camera_publisher_.getTopic());
+    ASSERT_TRUE(nodelet.loaded());
     Listener<SegmentedObjectArray> second("/second/objects");
     ASSERT_TRUE(waitUntil([&] { return second.connected() && inputsConnected(); }));
     for (int i = 0; i < 5; ++i) send(goodCloud(), goodCamera());
     ros::WallDuration(0.05 * round).sleep();
-    nodelet::NodeletUnload unload;
-    unload.request.name = "/second";
     const ros::WallTime start = ros::WallTime::now();
-    ASSERT_TRUE(ros::service::call("/manager/unload_nodelet", unload));
-    EXPECT_TRUE(unload.response.success);
+    EXPECT_TRUE(nodelet.unload());
     EXPECT_LT((ros::WallTime::now() - start).toSec(), 2.0);
+  }
+  Listener<SegmentedObjectArray> objects(std::string(kNode) + "/objects");
+  const auto result = segment(objects, goodCloud(), goodCamera());
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->objects.size(), 2u);
+}
+
+TEST_F(SegmentObjects, TakesAModelOfOnesOwn) {
+  const TemporaryFolder folder;
+  writeBytes(folder / "leaf.json", objectness::toJson(leafModel(0, 0, 0.75f)));
+  const SecondNodelet nodelet(cloud_publisher_.getTopic(), camera_publisher_.getTopic(), folder / "leaf.json");
+  ASSERT_TRUE(nodelet.loaded());
+  Listener<SegmentedObjectArray> second("/second/objects");
+  const auto result = segment(second, goodCloud(), goodCamera());
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->status, SegmentedObjectArray::OK) << result->message;
+  ASSERT_GE(result->objects.size(), 2u);
+  for (const auto& object : result->objects) EXPECT_EQ(object.objectness, 0.75f);
+}
+
+TEST_F(SegmentObjects, ABadModelIsSaidAndTheManagerLivesOn) {
+  const TemporaryFolder folder;
+  writeBytes(folder / "foreign.json", "{\"contact\": {\"cues\": [\"smell\"], \"trees\": []}}");
+  const std::pair<std::string, std::string> cases[] = {{folder / "none.json", "there is no such file"},
+                                                       {folder / "foreign.json", "is made for the cues smell"}};
+  for (const auto& [path, reason] : cases) {
+    const SecondNodelet nodelet(cloud_publisher_.getTopic(), camera_publisher_.getTopic(), path);
+    ASSERT_TRUE(nodelet.loaded());
+    Listener<SegmentedObjectArray> second("/second/objects");
+    const auto result = segment(second, goodCloud(), goodCamera());
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->status, SegmentedObjectArray::BAD_CONFIG);
+    EXPECT_NE(result->message.find(path), std::string::npos) << result->message;
+    EXPECT_NE(result->message.find(reason), std::string::npos) << result->message;
+    EXPECT_TRUE(result->objects.empty());
   }
   Listener<SegmentedObjectArray> objects(std::string(kNode) + "/objects");
   const auto result = segment(objects, goodCloud(), goodCamera());

@@ -104,6 +104,16 @@ TEST(DynamicReconfigure, LeavesTheStartParametersAlone) {
   EXPECT_EQ(config.runtime.seed, 11);
 }
 
+TEST(DynamicReconfigure, LeavesCueSwitchesToTheStart) {
+  Config config;
+  const auto fields = configFields(config);
+  for (const char* name : {"runtime.seed", "contact_cues.step", "gap_cues.flush", "group_cues.free", "links.gaps"}) {
+    const auto field = std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.fullName() == name; });
+    ASSERT_NE(field, fields.end()) << name;
+    EXPECT_EQ(isReconfigurable(*field), field->group == "links") << name;
+  }
+}
+
 TEST(Parameters, HaveFlatNamesWithUnits) {
   std::vector<std::string> names;
   Config config;

@@ -88,7 +88,7 @@ TEST_F(SegmentBag, WritesWhatTheNodeletPublishes) {
   ASSERT_EQ(segments.size(), 2u);
   ASSERT_EQ(markers.size(), 2u);
   for (std::size_t i = 0; i < clouds.size(); ++i) {
-    const SegmentedFrame result = segmentMessages({clouds[i], cameras[i]}, settings_.config, nullptr);
+    const SegmentedFrame result = segmentMessages({clouds[i], cameras[i]}, settings_.config, {}, nullptr);
     const std_msgs::Header& header = clouds[i]->header;
     EXPECT_EQ(result.segmentation.segments.size(), 2u);
     EXPECT_EQ(serialized(*objects[i]), serialized(toObjectsMessage(result.segmentation, result.frame, header)));

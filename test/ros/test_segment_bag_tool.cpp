@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "fixtures/bag_files.hpp"
+#include "fixtures/leaf_model.hpp"
 #include "fixtures/ros_messages.hpp"
 #include "fixtures/small_scene.hpp"
 #include "fixtures/tool_test.hpp"
@@ -46,6 +47,20 @@ TEST_F(SegmentBagTool, AnswersEveryCloud) {
     EXPECT_NE(outcome.out.find(text), std::string::npos) << text << outcome.out;
   }
   EXPECT_EQ(readAll<SegmentedObjectArray>(out_, "/segment_objects/objects").size(), 3u);
+}
+
+TEST_F(SegmentBagTool, TakesAModelOfOnesOwn) {
+  writeScenes(1);
+  writeBytes(folder_ / "leaf.json", objectness::toJson(leafModel(0, 0, 0.75f)));
+  ASSERT_EQ(run("--model " + (folder_ / "leaf.json") + " " + usual_).exit_status, 0);
+  const auto objects = readAll<SegmentedObjectArray>(out_, "/segment_objects/objects");
+  ASSERT_EQ(objects.size(), 1u);
+  ASSERT_GE(objects[0]->objects.size(), 2u);
+  for (const auto& object : objects[0]->objects) EXPECT_EQ(object.objectness, 0.75f);
+
+  expectFailure("--model " + (folder_ / "none.json") + " " + usual_, 2, "none.json: there is no such file");
+  writeBytes(folder_ / "foreign.json", "{\"contact\": 3}");
+  expectFailure("--model " + (folder_ / "foreign.json") + " " + usual_, 2, "foreign.json: \"contact\" is no forest");
 }
 
 TEST_F(SegmentBagTool, KeepsWhatIsDoneWhenSomeCloudsHaveNoCamera) {

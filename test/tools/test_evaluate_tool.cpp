@@ -2,12 +2,15 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <string>
 
 #include "fixtures/labelled_scene.hpp"
+#include "fixtures/leaf_model.hpp"
 #include "fixtures/tool_test.hpp"
 
 using namespace objectness_test;
@@ -205,6 +208,55 @@ TEST_F(EvaluateTool, BadScenesCostOnlyThemselves) {
   EXPECT_FALSE(readJson("report/summary.json")["mps"]["object"].contains("all"));
 }
 
+TEST_F(EvaluateTool, ParametersAndModelAreThoseGiven) {
+  writeBytes(folder_ / "leaf.json", objectness::toJson(leafModel(0, 0, 0.25f)));
+  const auto recall = [&](const std::string& options) {
+    const Outcome outcome = run("--method objectness --report " + (folder_ / "report") + " " + options + all() + "/s1");
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err.find("are there"), std::string::npos) << "taken for a result of other settings";
+    return readJson("report/summary.json")["objectness"]["object"]["ALL"]["R"].get<double>();
+  };
+  EXPECT_GT(recall(""), 0.9);
+  EXPECT_EQ(recall("--model " + (folder_ / "leaf.json") + " "), 0) << "every group is rather left out";
+  EXPECT_GT(recall("--model " + (folder_ / "leaf.json") + " --set grouping.least_objectness=0.1 runtime.seed=2 "), 0.3);
+  EXPECT_EQ(recall("--set object_points.max_height_m=0.03 "), 0);
+}
+
+TEST_F(EvaluateTool, GapsOfTheChoiceAreReportedWhereThereIsOne) {
+  const std::string scene = all() + "/s1 --report " + (folder_ / "report") + " ";
+  const Outcome outcome = run("--method objectness --method mps --set grouping.compare_annealing=true " + scene);
+  ASSERT_EQ(outcome.exit_status, 0) << outcome.err;
+  const Json summary = readJson("report/summary.json");
+  for (const char* gap : {"selection_gap", "selection_gap_max", "annealing_gap", "annealing_gap_max"}) {
+    EXPECT_EQ(summary["objectness"]["object"]["ALL"].value(gap, -1.0), 0)
+        << "three things apart are no riddle: " << gap;
+    EXPECT_FALSE(summary["mps"]["object"]["ALL"].contains(gap));
+  }
+  EXPECT_NE(outcome.out.find("annealing_gap_max 0.00000"), std::string::npos) << outcome.out;
+
+  ASSERT_EQ(run("--method objectness --set grouping.exact_nodes=0 grouping.iterations=0 " + scene).exit_status, 0);
+  const Json unproven = readJson("report/summary.json")["objectness"]["object"]["ALL"];
+  EXPECT_GE(unproven["selection_gap"], 0);
+  EXPECT_FALSE(unproven.contains("annealing_gap"));
+}
+
+TEST_F(EvaluateTool, TheAblationPrintsARowForEachPartSwitchedOff) {
+  const std::string command = REPOSITORY_DIR "/scripts/ablation --build " TOOL_DIR "/../../.. --only 'single pieces' " +
+                              ("--report " + (folder_ / "ablation")) + " " + all() + "/s1 >" + (folder_ / "table");
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const std::string table = readBytes(folder_ / "table");
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 4) << table;
+  const auto recall = [&](const std::string& row) {
+    const Json summary = readJson("ablation/" + row + "/summary.json");
+    return summary["objectness"]["object"]["ALL"]["R"].get<double>();
+  };
+  EXPECT_GT(recall("nothing"), recall("groups_single_pieces") + 0.1) << "boxes show more than one face";
+  char cell[32];
+  std::snprintf(cell, sizeof cell, " %.3f |", recall("groups_single_pieces"));
+  EXPECT_NE(table.find("| groups | single pieces |"), std::string::npos) << table;
+  EXPECT_NE(table.find(cell, table.find("single pieces")), std::string::npos) << table;
+}
+
 TEST_F(EvaluateTool, ReportThatCannotBeWrittenAndNoScenes) {
   writeBytes(folder_ / "file", "x");
   expectOneError(evaluate("file", all()), "cannot write there: ");
@@ -238,7 +290,10 @@ TEST_F(EvaluateTool, WrongCommandLines) {
   for (const char* shard : {"0/3", "4/3", "1", "1/3x", "a/b"}) {
     expectUsageError(std::string("--report r scenes --shard ") + shard, "must be K/N with 1 <= K <= N");
   }
+  expectUsageError("--report r --set grouping.learnd=1 scenes", "there is no parameter grouping.learnd");
+  expectUsageError("--report r --model none.json scenes", "--model none.json: there is no such file");
   expectUsageError("merge --report r", "no SHARD_DIR given");
+  expectUsageError("merge --report r --model m.json a b", "--model: merge takes it from the shards");
   expectUsageError("merge --report r --jobs 2 a b", "--jobs: merge takes it from the shards");
   EXPECT_EQ(run("--help").exit_status, 0);
 }

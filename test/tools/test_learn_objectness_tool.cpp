@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <opencv2/imgcodecs.hpp>
+#include <set>
+#include <sstream>
+
 #include "fixtures/labelled_scene.hpp"
 #include "fixtures/tool_test.hpp"
 #include "objectness_segmentation/pipeline.hpp"
@@ -88,6 +92,24 @@ TEST_F(LearnTool, TheSameModelTwiceWithAnyNumberOfThreads) {
   EXPECT_EQ(readBytes(folder_ / "two.json"), readBytes(folder_ / "one.json"));
 }
 
+TEST_F(LearnTool, LearnsWithoutWhatIsSwitchedOff) {
+  const std::string switches = "--set links.gaps=false group_cues.best_outside=false group_cues.hides=false ";
+  const Outcome outcome = learn("model.json " + switches + set());
+  ASSERT_EQ(outcome.exit_status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find(" 0 gaps,"), std::string::npos) << outcome.out;
+  const auto model = objectness::loadModel(folder_ / "model.json");
+  ASSERT_TRUE(model.ok()) << model.status.message;
+  EXPECT_EQ(model.value.gap.predict(std::vector<float>(model.value.gap.cues.size(), 1)), 0);
+  std::set<std::string> used;
+  for (const auto& tree : model.value.group.trees) {
+    for (const auto& node : tree) {
+      if (node.cue >= 0) used.insert(model.value.group.cues[static_cast<std::size_t>(node.cue)]);
+    }
+  }
+  EXPECT_GT(used.size(), 5u);
+  for (const char* off : {"best_outside", "hides"}) EXPECT_EQ(used.count(off), 0u) << off;
+}
+
 TEST_F(LearnTool, RecordedScenesCountAsOftenAsAsked) {
   std::filesystem::copy(set(), folder_ / "own", std::filesystem::copy_options::recursive);
   const std::string own = folder_ / "own";
@@ -108,6 +130,28 @@ TEST_F(LearnTool, ScenesThatTeachNothingAreNamed) {
   EXPECT_NE(outcome.err.find("left out: "), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("own/stacked_0"), std::string::npos) << outcome.err;
   EXPECT_EQ(outcome.errorLines(), 1) << outcome.err;
+}
+
+TEST_F(LearnTool, ScenesWhoseTableIsNotFoundCountAsNothingFound) {
+  std::filesystem::copy(set(), folder_ / "own", std::filesystem::copy_options::recursive);
+  const auto scored = [&] {
+    const Outcome outcome = learn("model.json " + (folder_ / "own"));
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
+    std::istringstream row(outcome.out.substr(outcome.out.find("\nALL") + 4));
+    int scenes = 0;
+    double precision = 0, recall = 0;
+    row >> scenes >> precision >> recall;
+    EXPECT_EQ(scenes, 12) << outcome.out;
+    return recall;
+  };
+  const double before = scored();
+  cv::Mat_<ushort> noise(240, 320);
+  std::uint32_t state = 1;
+  for (ushort& depth : noise) depth = static_cast<ushort>(600 + (state = 1664525 * state + 1013904223) % 1500);
+  cv::imwrite(folder_ / "own/stacked_0/depth.png", noise);
+  const double after = scored();
+  EXPECT_GT(before, 0.5);
+  EXPECT_LT(after, before - 0.04) << "a twelfth of the scenes";
 }
 
 TEST_F(LearnTool, BadInputIsNamed) {
@@ -134,10 +178,15 @@ TEST_F(LearnTool, ScenesWithoutPairsAreTooLittle) {
   EXPECT_NE(outcome.err.find("more and fuller scenes are needed"), std::string::npos) << outcome.err;
 }
 
-TEST_F(LearnTool, AModelThatCannotBeWrittenIsSaid) {
-  const Outcome outcome = run("--folds 2 --out " + (folder_ / "nowhere/model.json") + " " + set());
-  EXPECT_EQ(outcome.exit_status, 1);
-  EXPECT_NE(outcome.err.find("nowhere/model.json: "), std::string::npos) << outcome.err;
+TEST_F(LearnTool, AModelThatCannotBeWrittenIsSaidBeforeScenesAreLookedAt) {
+  const std::pair<std::string, std::string> cases[] = {{folder_ / "nowhere/model.json", "there is no folder"},
+                                                       {folder_.path(), "it is a folder"}};
+  for (const auto& [path, reason] : cases) {
+    const Outcome outcome = run("--folds 2 --out " + path + " " + (folder_ / "no_scenes"));
+    EXPECT_EQ(outcome.exit_status, 1);
+    EXPECT_EQ(outcome.errorLines(), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find("--out " + path + ": cannot be written: " + reason), std::string::npos) << outcome.err;
+  }
 }
 
 TEST_F(LearnTool, UsageErrors) {
@@ -147,6 +196,7 @@ TEST_F(LearnTool, UsageErrors) {
   expectUsageError(out + "--folds 1 " + set(), "--folds must be at least 2");
   expectUsageError(out + "--folds many " + set(), "many");
   expectUsageError(out + "--threads -1 " + set(), "--threads must not be negative");
+  expectUsageError(out + "--set group_cues.smell=false " + set(), "there is no parameter group_cues.smell");
   expectUsageError(out + "--recorded-weight 0 " + set(), "--recorded-weight must be at least 1");
   expectUsageError(out + "--no-such-option " + set(), "no-such-option");
   const Outcome help = run("--help");

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "fixtures/leaf_model.hpp"
 #include "fixtures/tool_test.hpp"
 
 using namespace objectness_test;
@@ -104,6 +105,34 @@ TEST_F(SegmentTool, TheMethodIsChosenByNameOrPreset) {
     EXPECT_EQ(counts.contains("boxes_sampled"), c.paper) << c.options;
     EXPECT_EQ(counts.contains("pieces"), !c.paper) << c.options;
   }
+}
+
+TEST_F(SegmentTool, AModelOfOnesOwnTakesThePlaceOfTheBuiltInOne) {
+  const std::string scene = makeScene("kitchen"), out = "--out " + (folder_ / "out") + " ";
+  const auto objects = [&](const std::string& options) {
+    const Outcome outcome = run(out + options + scene);
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
+    return nlohmann::json::parse(readBytes(folder_ / "out/kitchen/objects.json"))["objects"];
+  };
+  const auto built_in = objects("");
+  EXPECT_EQ(objects("--model " REPOSITORY_DIR "/cfg/objectness_model.json "), built_in);
+  writeBytes(folder_ / "leaf.json", objectness::toJson(leafModel(0, 0, 0.75f)));
+  const auto other = objects("--model " + (folder_ / "leaf.json") + " ");
+  EXPECT_GE(other.size(), built_in.size()) << "no two pieces are joined";
+  for (const auto& object : other) EXPECT_EQ(object["objectness"], 0.75);
+}
+
+TEST_F(SegmentTool, BadModelsAreNamed) {
+  const auto expectRefused = [&](const std::string& model, const std::string& reason) {
+    expectUsageError("--out o --model " + model + " scene", "--model " + model + ": " + reason);
+  };
+  expectRefused(folder_ / "none.json", "there is no such file");
+  writeBytes(folder_ / "text.json", "no model");
+  expectRefused(folder_ / "text.json", "is not a model: not a JSON object");
+  auto foreign = nlohmann::json::parse(objectness::toJson(leafModel(0, 0, 0)));
+  foreign["gap"]["cues"].push_back("smell");
+  writeBytes(folder_ / "foreign.json", foreign.dump());
+  expectRefused(folder_ / "foreign.json", "\"gap\" is made for the cues");
 }
 
 TEST_F(SegmentTool, WrongCommandLines) {

@@ -20,4 +20,7 @@ Figures toFigures(const ProposalFigures& proposals);
 /// Over scenes: boxed_objects summed up, the rest means over the scenes that have figures. Empty when none has.
 Figures poolProposals(const std::vector<Figures>& scenes);
 
+/// Over the scenes that have it, of each figure its mean and, as NAME_max, the largest.
+Figures poolGaps(const std::vector<Figures>& scenes);
+
 }  // namespace objectness::evaluation

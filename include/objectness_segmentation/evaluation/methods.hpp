@@ -2,10 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "objectness_segmentation/common/status.hpp"
+#include "objectness_segmentation/config.hpp"
+#include "objectness_segmentation/learning/learned_objectness.hpp"
 #include "objectness_segmentation/result.hpp"
 #include "objectness_segmentation/scene/frame.hpp"
 
@@ -18,12 +21,15 @@ struct Method {
   std::string settings;     ///< every value it ran with; two methods of equal settings give equal results
   std::function<Segmentation(const Frame&)> run;
   bool proposes_boxes = false;  ///< fills Segmentation::proposals
+  InputConfig input = {};       ///< how its frames are read
 };
 
 /// The names makeMethods() knows, the default one first.
 std::vector<std::string> methodNames();
 
-/// Methods by name, each with `threads` worker threads (0: one per processor). kBadConfig: an unknown name.
-Result<std::vector<Method>> makeMethods(const std::vector<std::string>& names, int threads);
+/// Methods by name. Each runs with `config` but for what makes it that method (grouping.enabled,
+/// segments.follow_superpixels); `objectness` with `model`, none: the built-in one. kBadConfig: an unknown name.
+Result<std::vector<Method>> makeMethods(const std::vector<std::string>& names, const Config& config,
+                                        const std::optional<LearnedObjectness>& model = {});
 
 }  // namespace objectness::evaluation

@@ -28,6 +28,7 @@ struct SceneResult {
   std::optional<Scores> object, part;  ///< by level; none when the truth has no objects
   int segments = 0;
   Figures proposals;      ///< toFigures(), of methods that propose boxes
+  Figures gaps;           ///< selection_gap and annealing_gap of Report::values, where there are any
   StageTimes timings_ms;  ///< as in Report
   double peak_mib = 0;    ///< most memory its process held until the segments were there
 

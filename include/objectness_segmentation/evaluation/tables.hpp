@@ -17,6 +17,7 @@ struct SummaryRow {
   std::string group;  ///< "ALL": every scene
   Figures columns;    ///< scenes, means of Scores, ms (median), peak_mib (largest)
   Figures proposals;  ///< poolProposals(), at object level
+  Figures gaps;       ///< poolGaps(), at object level
 };
 
 /// One row a method, level and group that has scored scenes, ALL last; a group of the name "all" has none of its own.

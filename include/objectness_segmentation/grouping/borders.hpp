@@ -9,6 +9,10 @@
 
 namespace objectness {
 
+// Lengths are counted in steps along rows and columns of the picture, each as long as a pixel there: an oblique line is
+// up to sqrt(2) times as long as it is, as a staircase would be. All cues of them are shares of one another, and what
+// was learned, was learned so.
+
 /// What the outline of a piece lies against, each a length on the surface in metres.
 struct Outline {
   float table = 0;    ///< it stands on the table, or goes on as table

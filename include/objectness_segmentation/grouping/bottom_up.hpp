@@ -16,10 +16,10 @@ PieceGraph findPieceGraph(const Frame& frame, const Normals& normals, const Tabl
                           const ObjectPoints& object_points, const Superpixels& superpixels, const PiecesConfig& pieces,
                           const LinksConfig& links);
 
-/// Groups of pieces that may be one object each, described but not yet judged.
+/// Groups of pieces that may be one object each, described but not yet judged. Cues that are switched off are neutral.
 std::vector<GroupHypothesis> proposeObjects(const Frame& frame, const Table& table, const EdgeMap& edges,
-                                            const PieceGraph& graph, const std::vector<Link>& links, int max_groups,
-                                            int threads);
+                                            const PieceGraph& graph, const std::vector<Link>& links,
+                                            const GroupingConfig& config, int threads);
 
 /// Sets the objectness of each group.
 void judgeGroups(const LearnedObjectness& model, std::vector<GroupHypothesis>& groups);

@@ -3,7 +3,9 @@
 
 #include <vector>
 
+#include "objectness_segmentation/grouping/cue_switches.hpp"
 #include "objectness_segmentation/grouping/group_cues.hpp"
+#include "objectness_segmentation/grouping/propose_groups.hpp"
 #include "objectness_segmentation/segments/segments.hpp"
 #include "objectness_segmentation/selection/set_packing.hpp"
 
@@ -11,25 +13,39 @@ namespace objectness {
 
 struct GroupingConfig {
   bool enabled = true;
+  bool learned = true;
+  GroupKinds kinds;
   int max_groups = 500;
+  bool paper_cost = false;
   double weight_objectness = 30.0;
   double least_objectness = 0.4;
   double weight_gaps = 0.5;
   int exact_nodes = 200000;
   int iterations = 50000;
+  bool compare_annealing = false;
+  CueSwitches<GroupCues> cues;  // its fields are a group of their own: see Config
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("enabled", self.enabled,
           "objects are groups of superpixels, judged by what was learned; off: the paper's own boxes");
+    visit("learned", self.learned,
+          "links and groups are judged by the model; off: by rules set by hand and Eq. 6 of the group's box");
+    visit("dendrograms", self.kinds.dendrograms, "groups are proposed that three ways of merging pieces pass through");
+    visit("grown", self.kinds.grown,
+          "groups are proposed that grow from each piece, and those with a piece more or less");
     visit("max_groups", self.max_groups, Range{1, 100000}, "groups that are judged, the best linked ones");
+    visit("paper_cost", self.paper_cost,
+          "groups are chosen by the paper's cost and annealing (selection), not by set packing");
     visit("weight_objectness", self.weight_objectness, Range{0, 1000},
-          "of the learned objectness of a group, per piece, beside the log odds of its links");
+          "of the objectness of a group, per piece, beside the log odds of its links");
     visit("least_objectness", self.least_objectness, Range{0, 1}, "a group under it is rather left out");
     visit("weight_gaps", self.weight_gaps, Range{0, 10}, "of links over a gap; links in contact count 1");
     visit("exact_nodes", self.exact_nodes, Range{0, 100000000},
           "branch and bound gives up after so many steps, and annealing tries to better what it found");
     visit("iterations", self.iterations, Range{0, 10000000}, "annealing: moves tried");
+    visit("compare_annealing", self.compare_annealing,
+          "annealing is tried in any case, to report how far from the best packing it ends; the choice stays the same");
   }
 };
 
@@ -39,10 +55,12 @@ struct GroupingConfig {
 PackingProblem packingProblem(int pieces, const std::vector<Link>& links, const std::vector<GroupHypothesis>& groups,
                               const GroupingConfig& config);
 
-/// The groups of the best packing found, proven best where branch and bound gets through.
+/// The groups of the best packing found, proven best where branch and bound gets through or annealing reaches the
+/// bound.
 Packing selectGroups(const PackingProblem& problem, const GroupingConfig& config, unsigned seed);
 
-/// The chosen groups as segments, best objectness first; groups of fewer than config.min_pixels are left out.
+/// The chosen groups as segments, best objectness first; a piece in several of them is the best one's. Groups of fewer
+/// than config.min_pixels are left out.
 std::vector<Segment> cutGroups(const Pieces& pieces, const std::vector<GroupHypothesis>& groups,
                                const std::vector<int>& chosen, const SegmentsConfig& config);
 

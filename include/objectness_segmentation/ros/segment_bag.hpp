@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "objectness_segmentation/ros/bag_input.hpp"
@@ -22,7 +23,8 @@ struct BagFrame {
 struct SegmentBagSettings {
   bool approximate_sync = false;
   objectness::Config config;
-  const std::atomic<bool>* cancel = nullptr;  ///< true: no further cloud, the one at work is given up
+  std::optional<objectness::LearnedObjectness> model;  ///< none: the built-in one
+  const std::atomic<bool>* cancel = nullptr;           ///< true: no further cloud, the one at work is given up
 };
 
 struct SegmentBagReport {

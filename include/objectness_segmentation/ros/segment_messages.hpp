@@ -5,8 +5,10 @@
 #include <sensor_msgs/PointCloud2.h>
 
 #include <atomic>
+#include <optional>
 
 #include "objectness_segmentation/config.hpp"
+#include "objectness_segmentation/learning/learned_objectness.hpp"
 #include "objectness_segmentation/result.hpp"
 
 namespace objectness_segmentation {
@@ -23,8 +25,9 @@ struct SegmentedFrame {
 };
 
 /// From messages to a result: conversion, frame, core. Does not throw: what goes wrong, down to an exception of the
-/// core (kInternalError) or of the system, is in segmentation.status.
+/// core (kInternalError) or of the system, is in segmentation.status. model: none for the built-in one.
 SegmentedFrame segmentMessages(const InputMessages& messages, const objectness::Config& config,
+                               const std::optional<objectness::LearnedObjectness>& model,
                                const std::atomic<bool>* cancel);
 
 }  // namespace objectness_segmentation

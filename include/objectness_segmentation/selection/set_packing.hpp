@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -18,6 +19,9 @@ struct Packing {
   double value = 0;
   double bound = 0;      ///< no choice is worth more; equal to value when the choice is proven best
   bool optimal = false;  ///< proven
+
+  /// What is missing to the bound at most, as a share of it: 0 when proven best.
+  double gap() const { return optimal || bound <= 0 ? 0 : std::max(0.0, bound - value) / bound; }
 };
 
 /// Branch and bound over the connected parts of the problem. Gives up proving (not choosing) after max_nodes: the best

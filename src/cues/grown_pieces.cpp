@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kMinGap = 0.004;  // metres
 constexpr double kGapSigmas = 4.0;
+constexpr double kPartSize = 3;  // times the smallest piece: what is parted at a narrow place shows more than a speck
 
 class Grower {
  public:
@@ -67,14 +68,15 @@ class Grower {
     }
   }
 
-  bool largeEnough(int root) const {
+  bool largeEnough(int root, double times = 1) const {
     const Piece& piece = pieces_[root];
-    return piece.pixels >= config_.min_pixels &&
-           piece.area / (frame_.camera.fx * frame_.camera.fy) >= config_.min_area_m2;
+    return piece.pixels >= times * config_.min_pixels &&
+           piece.area / (frame_.camera.fx * frame_.camera.fy) >= times * config_.min_area_m2;
   }
 
   bool narrow(int a, int b, float room) const {
-    return room < config_.narrow_share * std::min(pieces_[a].room, pieces_[b].room) && largeEnough(a) && largeEnough(b);
+    return room < config_.narrow_share * std::min(pieces_[a].room, pieces_[b].room) && largeEnough(a, kPartSize) &&
+           largeEnough(b, kPartSize);
   }
 
   int root(int pixel) {

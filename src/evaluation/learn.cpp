@@ -77,18 +77,21 @@ class Learner {
       if (!scene.status.ok()) lesson.problem = scene.status.message;
       addPairSamples(scene, settings_.training, lesson.contact, lesson.gap);
     });
-    std::vector<LearnedObjectness> folds(settings_.folds);
-    for (int fold = 0; fold < settings_.folds; ++fold) {
-      if (const Status status = trainPairs(fold, folds[fold]); !status.ok()) return Result<LearnedModel>::error(status);
+    // A model for each fold, learned without it, and at the end the one of all scenes.
+    std::vector<LearnedObjectness> folds(settings_.folds + 1);
+    std::vector<Status> statuses(folds.size());
+    forEachModel([&](int model, int but_fold) { statuses[model] = trainPairs(but_fold, folds[model]); });
+    for (const Status& status : statuses) {
+      if (!status.ok()) return Result<LearnedModel>::error(status);
     }
     forEachScene("groups", [&](const Labelled& labelled, Lesson& lesson) {
       if (!lesson.problem.empty()) return;
       const TrainingScene scene = observe(labelled.frame, labelled.truth, settings_.config);
       addGroupSamples(scene, folds[lesson.fold], settings_.config, settings_.training, lesson.group);
     });
-    for (int fold = 0; fold < settings_.folds; ++fold) {
-      folds[fold].group = trainForest(gather(lessons_, &Lesson::group, fold), settings_.training.group);
-    }
+    forEachModel([&](int model, int but_fold) {
+      folds[model].group = trainForest(gather(lessons_, &Lesson::group, but_fold), settings_.training.group);
+    });
     std::vector<std::optional<Scores>> scores(scenes_.size());
     forEachScene("held out", [&](const Labelled& labelled, Lesson& lesson) {
       // A scene whose table is not found counts as one where nothing was found, as it does in use.
@@ -98,8 +101,7 @@ class Learner {
 
     Result<LearnedModel> learned;
     LearnedModel& result = learned.value;
-    if (const Status status = trainPairs(-1, result.model); !status.ok()) return Result<LearnedModel>::error(status);
-    result.model.group = trainForest(gather(lessons_, &Lesson::group, -1), settings_.training.group);
+    result.model = std::move(folds.back());
     for (std::size_t i = 0; i < scenes_.size(); ++i) {
       result.contacts += lessons_[i].contact.size();
       result.gaps += lessons_[i].gap.size();
@@ -125,6 +127,12 @@ class Learner {
       const std::lock_guard<std::mutex> lock(mutex);
       if (settings_.progress) settings_.progress(stage, ++done, scenes_.size());
     });
+  }
+
+  template <class Train>
+  void forEachModel(Train&& train) {
+    parallelFor(settings_.folds + 1, settings_.threads,
+                [&](int model) { train(model, model < settings_.folds ? model : -1); });
   }
 
   Status trainPairs(int but_fold, LearnedObjectness& model) const {

@@ -18,7 +18,7 @@ struct SuperpixelsConfig {
   double max_residuals = 5.0;
   double max_steps = 4.0;
   double min_step_m = 0.002;
-  double narrow_share = 0.7;
+  double narrow_share = 0.4;
   double min_area_m2 = 0.75e-4;
   int min_pixels = 40;
 

@@ -15,7 +15,7 @@ struct GroupingConfig {
   bool enabled = true;
   bool learned = true;
   GroupKinds kinds;
-  int max_groups = 500;
+  int max_groups = 1000;
   bool paper_cost = false;
   double weight_objectness = 30.0;
   double least_objectness = 0.4;

@@ -10,9 +10,9 @@ namespace objectness {
 /// Which samples a training scene gives.
 struct TrainingConfig {
   double min_purity = 0.85;       ///< pieces of which less belongs to one object teach nothing about pairs
-  int max_groups_per_scene = 60;  ///< so that a crowded scene does not outweigh all others
+  int max_groups_per_scene = 80;  ///< so that a crowded scene does not outweigh all others
 
-  ForestSettings contact{40, 8, 10}, gap{40, 8, 10}, group{50, 9, 15};
+  ForestSettings contact{30, 8, 10}, gap{30, 8, 10}, group{45, 9, 15};
 };
 
 /// What a scene with known objects looks like to the bottom-up method.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <set>
 
 #include "standing_things.hpp"
 
@@ -15,22 +16,27 @@ constexpr double kAroundM = 0.10;  // where the table around a thing is measured
 constexpr int kMinAroundPixels = 50;
 
 constexpr float kSameRimM = 0.01f;
+constexpr float kLowShare = 0.5f;  // of the rim: lower things lie within
 
 /// Connected pixels that are no thing.
 struct Region {
   bool open = false;       // not enclosed: reaches the image border or touches more than two things
   int things[2] = {0, 0};  // that it touches; 0 = none
   cv::Rect box;
+  std::set<int> touched;
 
-  void touches(int thing) {
-    if (thing == things[0] || thing == things[1]) return;
-    if (things[0] == 0) {
-      things[0] = thing;
-    } else if (things[1] == 0) {
-      things[1] = thing;
-    } else {
-      open = true;
+  /// The things that enclose it: not what lies low on its floor.
+  void chooseThings(const std::vector<float>& rim_m) {
+    float highest = 0;
+    for (const int thing : touched) highest = std::max(highest, rim_m[thing]);
+    int found = 0;
+    for (const int thing : touched) {
+      if (rim_m[thing] < kLowShare * highest) continue;
+      if (found == 2) open = true;
+      if (found < 2) things[found++] = thing;
     }
+    // A bowl often falls into the outside of its front and the inside of its back: two things with one rim.
+    if (found == 0 || (found == 2 && std::abs(rim_m[things[0]] - rim_m[things[1]]) > kSameRimM)) open = true;
   }
 };
 
@@ -53,8 +59,18 @@ double median(std::vector<float>& values) {
   return *middle;
 }
 
+/// Height of the highest point of each thing.
+std::vector<float> rims(const Things& things, const HeightMap& map) {
+  std::vector<float> rim_m(things.count + 1, 0);
+  for (std::size_t i = 0; i < things.label.total(); ++i) {
+    const int thing = things.label.ptr<int>()[i];
+    if (thing > 0) rim_m[thing] = std::max(rim_m[thing], map.height_m.ptr<float>()[i]);
+  }
+  return rim_m;
+}
+
 /// Regions of pixels that are no thing, by their label in `labels` (4-connected), with what they touch.
-std::vector<Region> findRegions(const Things& things, cv::Mat_<int>& labels) {
+std::vector<Region> findRegions(const Things& things, const HeightMap& map, cv::Mat_<int>& labels) {
   const int width = things.label.cols, height = things.label.rows;
   const cv::Mat_<uchar> free = things.label == 0;
   cv::Mat found, stats, centroids;
@@ -73,25 +89,13 @@ std::vector<Region> findRegions(const Things& things, cv::Mat_<int>& labels) {
       if (thing == 0) continue;
       for (const cv::Point q : {cv::Point(u - 1, v), cv::Point(u + 1, v), cv::Point(u, v - 1), cv::Point(u, v + 1)}) {
         if (q.x < 0 || q.y < 0 || q.x >= width || q.y >= height || things.label(q) == thing) continue;
-        if (labels(q) > 0) regions[labels(q)].touches(thing);
+        if (labels(q) > 0) regions[labels(q)].touched.insert(thing);
       }
     }
   }
+  const std::vector<float> rim_m = rims(things, map);
+  for (Region& region : regions) region.chooseThings(rim_m);
   return regions;
-}
-
-/// Opens the regions between two things of different height. (A bowl often falls into the outside of its front and the
-/// inside of its back: two things with one rim.)
-void requireOneRim(const Things& things, const HeightMap& map, std::vector<Region>& regions) {
-  std::vector<float> rim(things.count + 1, 0);
-  for (std::size_t i = 0; i < things.label.total(); ++i) {
-    const int thing = things.label.ptr<int>()[i];
-    if (thing > 0) rim[thing] = std::max(rim[thing], map.height_m.ptr<float>()[i]);
-  }
-  for (Region& region : regions) {
-    const bool differ = region.things[1] > 0 && std::abs(rim[region.things[0]] - rim[region.things[1]]) > kSameRimM;
-    if (region.things[0] == 0 || differ) region.open = true;
-  }
 }
 
 /// Convex hulls of the things around closed regions, seen from above, in cells of the table's extent.
@@ -136,8 +140,7 @@ double tableAround(const cv::Rect& region, int reach_px, const HeightMap& map, c
 void addHollowFloors(const Frame& frame, const Table& table, const HeightMap& map, const Things& things,
                      cv::Mat_<uchar>& mask) {
   cv::Mat_<int> labels;
-  std::vector<Region> regions = findRegions(things, labels);
-  requireOneRim(things, map, regions);
+  const std::vector<Region> regions = findRegions(things, map, labels);
   const std::vector<std::vector<cv::Point>> hulls = footprints(frame, table, things, regions);
   const Eigen::Matrix<float, 2, 3> axes = table.T_table_camera.linear().topRows<2>().cast<float>();
 

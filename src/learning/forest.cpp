@@ -29,10 +29,10 @@ Forest::Node parseNode(const nlohmann::json& json) {
   return node;
 }
 
-/// To four digits, as a number that is written with no more.
+/// To five digits, as a number that is written with no more.
 double rounded(float value) {
   std::ostringstream text;
-  text << std::setprecision(4) << value;
+  text << std::setprecision(5) << value;
   return std::stod(text.str());
 }
 

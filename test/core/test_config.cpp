@@ -73,7 +73,7 @@ TEST(Config, ContradictionsAreNamed) {
   };
   EXPECT_TRUE(mentions(problemsOf([](Config& c) { c.input.min_depth_m = 3, c.input.max_depth_m = 2; }),
                        "input.min_depth_m is 3, must be less than input.max_depth_m, which is 2"));
-  EXPECT_TRUE(mentions(problemsOf([](Config& c) { c.normals.min_window_px = 20; }), "normals.max_window_px"));
+  EXPECT_TRUE(mentions(problemsOf([](Config& c) { c.normals.min_window_px = 40; }), "normals.max_window_px"));
   EXPECT_TRUE(mentions(problemsOf([](Config& c) { c.search.min_size_m = 0.6; }), "search.max_size_m"));
   EXPECT_TRUE(mentions(problemsOf([](Config& c) { c.search.corner_step_m = 0.025; }),
                        "search.corner_step_m is 0.025, must be a whole multiple of volume.voxel_m, which is 0.01"));

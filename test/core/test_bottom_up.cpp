@@ -127,6 +127,11 @@ TEST(BottomUp, AStackIsTwoObjects) {
   EXPECT_NEAR(bases[1], 0.08, 0.015);
 }
 
+TEST(BottomUp, AThingThatLeansIsAnObjectOfItsOwn) {
+  const Picture picture = pictureOf(leaning());
+  expectOneSegmentEach(picture, segment(picture.frame, Config()), 2);
+}
+
 TEST(BottomUp, MostThingsThatLeanAreObjectsOfTheirOwn) {
   int objects = 0, found = 0;
   for (std::uint32_t index = 0; index < 6; ++index) {

@@ -14,16 +14,20 @@ constexpr double kGapPixels = 3.0;  // of z / f
 constexpr float kGapSigmas = 4.0f;
 constexpr int kMinPixels = 200;  // when the area is too small
 constexpr double kMaxShareOverCeiling = 0.1;
+constexpr double kTallestStack = 2.0;  // times the ceiling
 constexpr double kWhollyInside = 0.9;  // a share of the points; the rest is noise at the outline
 
 struct Thing {
-  int pixels = 0, inside = 0, too_high = 0;
+  int pixels = 0, inside = 0, too_high = 0, far_too_high = 0;
   bool at_border = false;
   double area_m2 = 0;
 };
 
 /// A tall stack: no arm or wall that comes from beside the table or from out of the picture.
-bool standsAlone(const Thing& thing) { return !thing.at_border && thing.inside >= kWhollyInside * thing.pixels; }
+bool isTallStack(const Thing& thing) {
+  return !thing.at_border && thing.inside >= kWhollyInside * thing.pixels &&
+         thing.far_too_high <= kMaxShareOverCeiling * thing.pixels;
+}
 
 }  // namespace
 
@@ -44,7 +48,9 @@ Things findThings(const Frame& frame, const Table& table, const HeightMap& map, 
     const int u = i % mask.cols, v = i / mask.cols;
     thing.at_border = thing.at_border || u == 0 || v == 0 || u + 1 == mask.cols || v + 1 == mask.rows;
     thing.inside += map.inside.data[i] != 0;
-    thing.too_high += reinterpret_cast<const float*>(map.height_m.data)[i] > config.max_height_m;
+    const float height = reinterpret_cast<const float*>(map.height_m.data)[i];
+    thing.too_high += height > config.max_height_m;
+    thing.far_too_high += height > kTallestStack * config.max_height_m;
     thing.area_m2 += z * z / (focal * focal);
   }
   Things result{label, 0};
@@ -53,7 +59,7 @@ Things findThings(const Frame& frame, const Table& table, const HeightMap& map, 
     const Thing& thing = things[k];
     const bool stands = (thing.area_m2 >= config.min_area_m2 || thing.pixels >= kMinPixels) &&
                         thing.inside >= config.min_inside_share * thing.pixels &&
-                        (thing.too_high <= kMaxShareOverCeiling * thing.pixels || standsAlone(thing));
+                        (thing.too_high <= kMaxShareOverCeiling * thing.pixels || isTallStack(thing));
     if (stands) final_label[k] = ++result.count;
   }
   for (int i = 0; i < frame.size(); ++i) labels[i] = final_label[labels[i]];

@@ -126,8 +126,10 @@ TEST(ObjectPoints, LeaveOutWhatReachesOverTheCeilingOutOfThePicture) {
 TEST(ObjectPoints, KeepATallStackThatStandsAlone) {
   ObjectPointsConfig config;
   config.max_height_m = 0.2;
-  const View view({kTable, box({-0.15, -0.05, 0}, {-0.05, 0.05, 0.35})}, config);
-  EXPECT_GT(view.masked(1), 0.95);
+  const std::vector<Surface> scene{kTable, box({-0.15, -0.05, 0}, {-0.05, 0.05, 0.35})};
+  EXPECT_GT(View(scene, config).masked(1), 0.95);
+  config.max_height_m = 0.15;
+  EXPECT_EQ(View(scene, config).masked(1), 0) << "over twice the height";
 }
 
 TEST(ObjectPoints, FloorOfABowlBelongsToItTheHoleOfARingDoesNot) {

@@ -27,9 +27,9 @@ struct ObjectPointsConfig {
           "a point counts from this many sigma of depth noise over the table");
     visit("min_threshold_m", self.min_threshold_m, Range{0, 0.1}, "but never from less height than this");
     visit("max_threshold_m", self.max_threshold_m, Range{0, 0.1}, "and always from more height than this");
-    visit(
-        "max_height_m", self.max_height_m, Range{0.03, 2.0},
-        "things that reach over this height are no objects when they come from beside the table or out of the picture");
+    visit("max_height_m", self.max_height_m, Range{0.03, 2.0},
+          "things that reach over this height are not objects, but for stacks of up to twice the height that stand "
+          "alone: not from beside the table or out of the picture");
     visit("min_area_m2", self.min_area_m2, Range{0, 0.1},
           "things that show less surface (seen head-on) are not objects");
     visit("min_inside_share", self.min_inside_share, Range{0, 1},

@@ -86,8 +86,10 @@ Normals seeScene(const Frame& frame, const Config& config, const Stages& stage, 
 
   // Sec. 2.3 and 3.1 to 3.3: edges and smooth superpixels.
   result.edges = stage("edges", [&] { return findEdges(frame, normals, result.table, above, config.edges); });
+  const SuperpixelsConfig superpixels =
+      config.grouping.enabled ? config.superpixels : superpixelsForBoxes(config.superpixels);
   result.superpixels =
-      stage("superpixels", [&] { return findSuperpixels(frame, normals, result.table, above, config.superpixels); });
+      stage("superpixels", [&] { return findSuperpixels(frame, normals, result.table, above, superpixels); });
   stage.count("superpixels", result.superpixels.count);
   return normals;
 }

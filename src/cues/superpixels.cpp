@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "crease.hpp"
@@ -53,6 +54,12 @@ cv::Mat_<uchar> smoothPixels(const Frame& frame, const Normals& normals, const O
 }
 
 }  // namespace
+
+SuperpixelsConfig superpixelsForBoxes(SuperpixelsConfig config) {
+  config.min_step_m = std::numeric_limits<double>::infinity();
+  config.narrow_share = 0;
+  return config;
+}
 
 Superpixels findSuperpixels(const Frame& frame, const Normals& normals, const Table& table,
                             const ObjectPoints& object_points, const SuperpixelsConfig& config) {

@@ -82,9 +82,7 @@ TEST(Superpixels, SmallStepBetweenFlushFacesCuts) {
   };
   const Superpixels cut = superpixelsOf(view);
   expectNoneInCommon(fronts(cut, 1), fronts(cut, 2));
-  SuperpixelsConfig config;
-  config.min_step_m = 1;
-  const Superpixels uncut = superpixelsOf(view, config);
+  const Superpixels uncut = superpixelsOf(view, superpixelsForBoxes({}));
   std::map<int, int> low = fronts(uncut, 1), high = fronts(uncut, 2);
   low.erase(0), high.erase(0);
   EXPECT_EQ(low.begin()->first, high.begin()->first) << "the step cut would not be tested";
@@ -111,9 +109,7 @@ TEST(Superpixels, CutsHoldWhereTheyAreOpenSomewhere) {
   ASSERT_EQ(right.size(), 1u);
   EXPECT_GT(right.begin()->second, 4000);
 
-  SuperpixelsConfig config;
-  config.narrow_share = 0;
-  const Superpixels uncut = superpixelsOf(view, config);
+  const Superpixels uncut = superpixelsOf(view, superpixelsForBoxes({}));
   EXPECT_EQ(top(uncut, 1).begin()->first, top(uncut, 2).begin()->first);
 }
 

@@ -31,14 +31,20 @@ struct SuperpixelsConfig {
     visit("max_residuals", self.max_residuals, Range{0, 1000},
           "cut where the plane fits worse than this many times the table's own median residual at that depth");
     visit("max_steps", self.max_steps, Range{0, 1000},
-          "cut where the surface steps to the side by more than this many times the table's own median step");
+          "not for the paper's boxes: cut where the surface steps to the side by more than this many times the table's "
+          "own "
+          "median step");
     visit("min_step_m", self.min_step_m, Range{0, 1}, "and by more than this");
     visit("narrow_share", self.narrow_share, Range{0, 1},
-          "cut where the surface between two cuts is narrower than this share of what it joins");
+          "not for the paper's boxes: cut where the surface is narrower than this share of what it joins");
     visit("min_area_m2", self.min_area_m2, Range{0, 0.01}, "smaller pieces get label 0");
     visit("min_pixels", self.min_pixels, Range{1, 100000}, "pieces of fewer pixels get label 0");
   }
 };
+
+/// For the paper's boxes, which hold few superpixels whole: no cuts at steps and narrow places. What is worth cutting
+/// for groups of superpixels, which are put together again, only takes whole sides from a box.
+SuperpixelsConfig superpixelsForBoxes(SuperpixelsConfig config);
 
 /// Grows pieces of smooth surface over the pixels of object_points.mask. Bends are metric and signed: a concave one
 /// separates things that touch, so it cuts early; a convex one is mostly an edge within one thing.

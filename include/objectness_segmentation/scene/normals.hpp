@@ -46,7 +46,7 @@ struct NormalsConfig {
 struct Normals {
   std::vector<Eigen::Vector3f> normal;  ///< unit, optical frame, towards the camera; NaN where there is none
   std::vector<float>
-      residual_m;  ///< RMS distance of the window's points to the fitted plane, metres; NaN where no normal
+      residual_m;              ///< RMS distance of the window's points to the fitted plane, metres; NaN where no normal
   std::vector<float> depth_m;  ///< z of the fitted plane at the pixel; NaN where no normal
   std::vector<unsigned char> jump;  ///< bit 0: depth jump or hole between (u, v) and (u + 1, v); bit 1: and (u, v + 1)
   std::vector<unsigned char> radius_px;  ///< window radius used, 0 where no normal

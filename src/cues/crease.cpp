@@ -23,12 +23,13 @@ struct Sides {
 };
 
 /// The pixels one window radius to either side of a pixel, or half of it where a jump makes the windows there smaller
-/// than that: windows that overlap hide a bend, and tiny ones see only noise. None: {-1, -1}.
-Sides sidesOf(const Normals& normals, int width, int height, int u, int v, std::size_t direction, int apart = 0) {
+/// than that: windows that overlap hide a bend, and tiny ones see only noise. Clear of the pixel: one pixel farther,
+/// and as far along diagonals, so that neither of the square windows holds it. None: {-1, -1}.
+Sides sidesOf(const Normals& normals, int width, int height, int u, int v, std::size_t direction, bool clear = false) {
   const int full = normals.radius_px[v * width + u];
   for (const int radius : {full, (full + 1) / 2}) {
     if (radius < kMinWindowPx) break;
-    const int steps = apart + (apart ? radius : stepsOf(direction, radius));
+    const int steps = clear ? radius + 1 : stepsOf(direction, radius);
     const int du = steps * kBendDirections[direction][0], dv = steps * kBendDirections[direction][1];
     if (u - du < 0 || u + du >= width || v - std::abs(dv) < 0 || v + std::abs(dv) >= height) continue;
     const int a = (v - dv) * width + u - du, b = (v + dv) * width + u + du;
@@ -52,7 +53,7 @@ float strengthAt(const cv::Mat_<float>& strength, int u, int v) {
 float stepAt(const Frame& frame, const Normals& normals, const cv::Mat_<uchar>& where, int u, int v) {
   float largest = 0;
   for (std::size_t i = 0; i < kBendDirections.size(); ++i) {
-    const auto [a, b] = sidesOf(normals, frame.width(), frame.height(), u, v, i, 1);
+    const auto [a, b] = sidesOf(normals, frame.width(), frame.height(), u, v, i, true);
     if (a < 0 || !where(a) || !where(b)) continue;
     if (normals.normal[a].dot(normals.normal[b]) < kParallelCosine) continue;
     const Eigen::Vector3f between = onFit(frame, normals, b) - onFit(frame, normals, a);

@@ -33,8 +33,9 @@ double tableMedian(const Frame& frame, const Normals& normals, const ObjectPoint
 cv::Mat_<uchar> smoothPixels(const Frame& frame, const Normals& normals, const ObjectPoints& object_points,
                              const SuperpixelsConfig& config) {
   const auto residual = [&](int i) { return normals.residual_m[i]; };
+  const bool steps = std::isfinite(config.min_step_m);  // superpixelsForBoxes() has none: no time for them either
   const auto step = [&](const cv::Mat_<uchar>& where, int i) {
-    return stepAt(frame, normals, where, i % frame.width(), i / frame.width());
+    return !steps ? 0.f : stepAt(frame, normals, where, i % frame.width(), i / frame.width());
   };
   const double max_residual = config.max_residuals * tableMedian(frame, normals, object_points, residual);
   const double max_step = config.max_steps * tableMedian(frame, normals, object_points,

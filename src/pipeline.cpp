@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "guarded_segmentation.hpp"
+#include "objectness_segmentation/common/thread_pool.hpp"
 #include "objectness_segmentation/grouping/bottom_up.hpp"
 #include "objectness_segmentation/grouping/group_cost.hpp"
 #include "objectness_segmentation/grouping/hand_set.hpp"
@@ -96,8 +97,9 @@ Normals seeScene(const Frame& frame, const Config& config, const Stages& stage, 
 
 /// The paper: boxes of an exhaustive sampling, weighed by hand.
 void searchBoxes(const Frame& frame, const Config& config, const Stages& stage, Segmentation& result) {
-  const CuePoints points =
-      collectCuePoints(frame, result.table, result.object_points, result.edges, result.superpixels);
+  const CuePoints points = stage("cue_points", [&] {
+    return collectCuePoints(frame, result.table, result.object_points, result.edges, result.superpixels);
+  });
   stage.count("object_points", points.points.size());
   stage.count("edge_points", points.edges.size());
 
@@ -108,6 +110,8 @@ void searchBoxes(const Frame& frame, const Config& config, const Stages& stage, 
   stage.count("boxes_sampled", search.sampled);
   stage.count("boxes_scored", search.scored);
   stage.count("boxes_passed", search.passed);
+  stage.count("boxes_bounded", search.unbounded.empty());
+  stage.value("search_threshold", search.threshold);
   if (!search.status.ok()) {
     result.status = search.status;
     return;
@@ -208,6 +212,7 @@ void groupPieces(const Frame& frame, const Config& config, const LearnedObjectne
 /// Fills `result` as far as it gets.
 void run(const Frame& frame, const Config& config, const LearnedObjectness* model, const std::atomic<bool>* cancel,
          Segmentation& result) {
+  const ThreadPool pool(config.runtime.threads);
   const Stages stage(cancel, result.report);
   const Normals normals = seeScene(frame, config, stage, result);
   if (!result.status.ok()) return;

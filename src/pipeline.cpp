@@ -74,8 +74,9 @@ class Stages {
 
 /// What both methods start from: the table, the points on it, edges and superpixels. Returns the normals.
 Normals seeScene(const Frame& frame, const Config& config, const Stages& stage, Segmentation& result) {
+  const int threads = config.runtime.threads;
   // Sec. 2: the dominant plane, and the points above it.
-  Normals normals = stage("normals", [&] { return estimateNormals(frame, config.normals); });
+  Normals normals = stage("normals", [&] { return estimateNormals(frame, config.normals, {}, threads); });
   Result<Table> found = stage("table", [&] { return findTable(frame, normals, config.table); });
   result.status = found.status;
   result.table = std::move(found.value);

@@ -5,6 +5,6 @@ namespace objectness {
 
 /// Bounds of every image that is read or made: more than any depth camera has, and its indices fit an int.
 constexpr int kMaxSidePx = 16384;
-constexpr int kMaxPixels = 1 << 25;
+constexpr int kMaxPixels = 1 << 24;
 
 }  // namespace objectness

@@ -32,11 +32,9 @@ constexpr double kGrowth = 0.05;
 Config configOf(int index) {
   Config config;
   config.runtime.threads = 1;
-  config.normals.window_m = 0.010 + 0.003 * (index % 3);
-  config.input.max_depth_m = 6.0 - 0.1 * index;
-  config.object_points.max_height_m = index % 2 == 0 ? 0.5 : 0.09;
-  config.superpixels.convex_deg -= 2 * index;
-  config.grouping.least_objectness += 0.02 * index;
+  config.object_points.min_threshold_m = config.object_points.max_threshold_m = 0.006 + 0.004 * index;
+  config.normals.min_window_px += index % 3;
+  config.superpixels.convex_deg -= 5 * (index % 2);
   return config;
 }
 

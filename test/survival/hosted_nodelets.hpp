@@ -49,7 +49,7 @@ class HostedNodelets {
   }
 
  private:
-  static constexpr int kQueue = 4096;
+  static constexpr int kQueue = 1000;
 
   ros::NodeHandle nh_;
   nodelet::Loader loader_;

@@ -33,12 +33,7 @@ CuePoints collectCuePoints(const Frame& frame, const Table& table, const ObjectP
 
 Grid makeGrid(const CuePoints& points, double angle_rad, const VolumeConfig& config, int margin, int min_height,
               int max_height) {
-  Grid grid;
-  grid.angle_rad = angle_rad;
-  grid.cosine = std::cos(angle_rad);
-  grid.sine = std::sin(angle_rad);
-  grid.voxel_m = config.voxel_m;
-  const float c = static_cast<float>(grid.cosine), s = static_cast<float>(grid.sine);
+  const float c = static_cast<float>(std::cos(angle_rad)), s = static_cast<float>(std::sin(angle_rad));
   constexpr float kFar = std::numeric_limits<float>::max();
   Eigen::Vector2f low(kFar, kFar), high(-kFar, -kFar);
   for (const auto& p : points.points) {
@@ -47,6 +42,16 @@ Grid makeGrid(const CuePoints& points, double angle_rad, const VolumeConfig& con
     high = high.cwiseMax(q);
   }
   if (points.points.empty()) low = high = Eigen::Vector2f::Zero();
+  return makeGrid(low, high, points.top_m, angle_rad, config, margin, min_height, max_height);
+}
+
+Grid makeGrid(const Eigen::Vector2f& low, const Eigen::Vector2f& high, float top_m, double angle_rad,
+              const VolumeConfig& config, int margin, int min_height, int max_height) {
+  Grid grid;
+  grid.angle_rad = angle_rad;
+  grid.cosine = std::cos(angle_rad);
+  grid.sine = std::sin(angle_rad);
+  grid.voxel_m = config.voxel_m;
   int size[2];
   for (int axis = 0; axis < 2; ++axis) {
     // Snapped to multiples of a voxel, so that the grid does not slide with every point of noise.
@@ -62,7 +67,8 @@ Grid makeGrid(const CuePoints& points, double angle_rad, const VolumeConfig& con
   }
   grid.nx = size[0];
   grid.ny = size[1];
-  grid.nz = std::clamp(static_cast<int>(std::floor(points.top_m / config.voxel_m)) + 1, min_height, max_height);
+  const int least = std::max(min_height, static_cast<int>(std::lround(config.min_height_m / config.voxel_m)));
+  grid.nz = std::min(std::max(static_cast<int>(std::floor(top_m / config.voxel_m)) + 1, least), max_height);
   return grid;
 }
 

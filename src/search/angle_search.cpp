@@ -6,6 +6,7 @@
 
 #include "objectness_segmentation/common/parallel.hpp"
 #include "objectness_segmentation/integral/cue_volumes.hpp"
+#include "objectness_segmentation/integral/voxel_marker.hpp"
 #include "objectness_segmentation/search/search.hpp"
 
 namespace objectness {
@@ -25,12 +26,12 @@ Status checkSize(const Grid& grid) {
   return Status::error(StatusCode::kVolumeTooLarge, message);
 }
 
-/// The `most` best, in the order of better().
-void keepBest(std::vector<ScoredBox>& boxes, int most) {
-  if (static_cast<int>(boxes.size()) <= most) return;
-  std::nth_element(boxes.begin(), boxes.begin() + most, boxes.end(), better);
-  boxes.resize(most);
-}
+/// What one angle after the other works in.
+struct AngleMemory {
+  VoxelMarker::Scratch scratch;
+  CueVoxels voxels;
+  CueVolumes volumes;
+};
 
 }  // namespace
 
@@ -42,24 +43,27 @@ SearchOutcome searchAllAngles(const Frame& frame, const Table& table, const CueP
   // A margin of one step on either side: a box can then enclose what lies at the border tightly, in every phase of the
   // steps.
   const int margin = std::max({task.sampling.corner_step, task.sampling.size_step_xy, task.sampling.min_size});
+  VoxelMarker marker(points, settings.volume);
   for (const double angle : sampledAngles(settings.search)) {
-    outcome.grids.push_back(
-        makeGrid(points, angle, settings.volume, margin, task.sampling.min_size, task.sampling.max_size));
+    outcome.grids.push_back(marker.gridAt(angle, margin, task.sampling.min_size, task.sampling.max_size));
     outcome.status = checkSize(outcome.grids.back());
     if (!outcome.status.ok()) return outcome;
   }
   if (points.points.empty()) return outcome;
 
+  marker.prepare(frame, table, outcome.grids, settings.threads);
   const int angles = static_cast<int>(outcome.grids.size());
   std::vector<SearchResult> results(angles);
   std::vector<std::int64_t> passed(angles, 0);
   parallelFor(angles, settings.threads, [&](int angle) {
     if (cancel && *cancel) return;
-    const CueVolumes volumes =
-        buildCueVolumes(frame, table, points, outcome.grids[angle], settings.volume, task.ring.z);
-    results[angle] = searchScan(volumes, angle, task);
+    thread_local AngleMemory memory;
+    marker.mark(outcome.grids[angle], memory.scratch, memory.voxels);
+    integrate(memory.voxels, table, task.ring.z, memory.volumes);
+    results[angle] = searchBounded(memory.volumes, angle, task);
     passed[angle] = static_cast<std::int64_t>(results[angle].boxes.size());
-    keepBest(results[angle].boxes, settings.search.max_boxes_per_angle);
+    const std::size_t most = settings.search.max_boxes_per_angle;
+    if (results[angle].boxes.size() > most) results[angle].boxes.resize(most);
   });
   if (cancel && *cancel) outcome.status = Status::error(StatusCode::kCancelled, "cancelled while searching boxes");
 
@@ -68,9 +72,11 @@ SearchOutcome searchAllAngles(const Frame& frame, const Table& table, const CueP
     outcome.boxes.insert(outcome.boxes.end(), result.boxes.begin(), result.boxes.end());
     outcome.sampled += result.sampled;
     outcome.scored += result.scored;
+    outcome.nodes += result.nodes;
+    if (outcome.unbounded.empty()) outcome.unbounded = result.unbounded;
     outcome.passed += passed[angle];
   }
-  std::sort(outcome.boxes.begin(), outcome.boxes.end(), better);
+  sortBestFirst(outcome.boxes);
   return outcome;
 }
 

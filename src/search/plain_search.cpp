@@ -25,6 +25,7 @@ SearchResult searchPlain(const CueVolumes& volumes, int angle, const SearchTask&
       }
     }
   }
+  sortBestFirst(result.boxes);
   return result;
 }
 

@@ -1,22 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/search/scan_kernel.hpp"
+#include "scan_kernel.hpp"
 
 #include "objectness_segmentation/common/target_clones.hpp"
 
 namespace objectness {
+namespace {
+
+inline float countAt(const CornerColumns& c, int h) {
+  return static_cast<float>(static_cast<std::uint16_t>(c.p11[h] - c.p01[h] - c.p10[h] + c.p00[h]));
+}
+
+}  // namespace
 
 OBJECTNESS_CLONES("avx2")
 float boundHeights(const ScanFootprint& footprint, const ScanConstants& constants, int first, int last, float* bound) {
-  const FootprintColumns e = footprint.edges, r = footprint.ring, f = footprint.filled;
+  const CornerColumns e = footprint.edges, r = footprint.ring, f = footprint.filled;
   const ScanConstants k = constants;
   const float base = footprint.base, sides = footprint.sides;
   const float* top_visible = footprint.top_visible;
   const float outer_gain = k.weight_outer * k.max_straddling_gain;
   float best = -1e30f;
   for (int h = first; h <= last; ++h) {
-    const float edges = static_cast<float>(e.p11[h] - e.p01[h] - e.p10[h] + e.p00[h]);
-    const float ring = static_cast<float>(r.p11[h] - r.p01[h] - r.p10[h] + r.p00[h]);
-    const float filled = static_cast<float>(f.p11[h] - f.p01[h] - f.p10[h] + f.p00[h]);
+    const float edges = countAt(e, h);
+    const float ring = countAt(r, h);
+    const float filled = countAt(f, h);
     const float height = static_cast<float>(h);
     const float area = sides * height + base * top_visible[h];
     const float per_area = area > 0 ? 1.0f / area : 0.0f;

@@ -2,16 +2,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "objectness_segmentation/search/scan_kernel.hpp"
+#include "column_table.hpp"
 #include "objectness_segmentation/search/search.hpp"
+#include "scan_kernel.hpp"
 
 namespace objectness {
 namespace {
-
-FootprintColumns columnsAt(const IntegralVolume& volume, int x0, int x1, int y0, int y1, int raise) {
-  return {volume.column(x1, y1) + raise, volume.column(x0, y1) + raise, volume.column(x1, y0) + raise,
-          volume.column(x0, y0) + raise};
-}
 
 /// One angle's scan: the loops over footprints, with the kernel inside.
 class Scan {
@@ -20,6 +16,8 @@ class Scan {
       : volumes_(volumes),
         task_(task),
         s_(task.sampling),
+        edges_(volumes.edges),
+        filled_(volumes.filled),
         angle_(angle),
         tallest_(std::min(task.sampling.max_size, volumes.grid.nz)) {
     const ObjectnessConfig& o = task.objectness;
@@ -56,6 +54,7 @@ class Scan {
         }
       }
     }
+    sortBestFirst(result_.boxes);
     return std::move(result_);
   }
 
@@ -67,19 +66,21 @@ class Scan {
   void scanFootprint(int x0, int x1, int y0, int y1) {
     const int r = task_.ring.xy;
     ScanFootprint footprint;
-    footprint.edges = columnsAt(volumes_.edges, x0, x1, y0, y1, 0);
-    footprint.ring = columnsAt(volumes_.edges, std::max(x0 - r, 0), std::min(x1 + r, volumes_.grid.nx),
-                               std::max(y0 - r, 0), std::min(y1 + r, volumes_.grid.ny), task_.ring.z);
-    footprint.filled = columnsAt(volumes_.filled, x0, x1, y0, y1, 0);
+    edges_.corners(x0, x1, y0, y1, 0, footprint.edges);
+    edges_.corners(std::max(x0 - r, 0), std::min(x1 + r, volumes_.grid.nx),
+                               std::max(y0 - r, 0), std::min(y1 + r, volumes_.grid.ny), task_.ring.z, footprint.ring);
+    filled_.corners(x0, x1, y0, y1, 0, footprint.filled);
     footprint.base = static_cast<float>((x1 - x0) * (y1 - y0));
     const Eigen::Vector3d& eye = volumes_.viewpoint;
     const bool all = task_.objectness.three_face_area;
     footprint.sides = static_cast<float>((all || eye.x() < x0 || eye.x() > x1 ? y1 - y0 : 0) +
                                          (all || eye.y() < y0 || eye.y() > y1 ? x1 - x0 : 0));
     footprint.top_visible = top_visible_.data();
-    if (boundHeights(footprint, constants_, s_.min_size, tallest_, bound_.data()) < needed_) return;
+    // What may hold more than the kernel can count is scored in any case.
+    const bool countable = static_cast<long>(x1 - x0) * (y1 - y0) * tallest_ <= IntegralVolume::kMostCounted;
+    if (boundHeights(footprint, constants_, s_.min_size, tallest_, bound_.data()) < needed_ && countable) return;
     for (int height = s_.min_size; height <= tallest_; height += s_.size_step_z) {
-      if (bound_[height - s_.min_size] < needed_) continue;
+      if (bound_[height - s_.min_size] < needed_ && countable) continue;
       const Box box{angle_, x0, x1, y0, y1, height};
       ++result_.scored;
       const auto scored = scoreBox(volumes_, box, task_.ring, task_.objectness);
@@ -90,6 +91,7 @@ class Scan {
   const CueVolumes& volumes_;
   const SearchTask& task_;
   const Sampling s_;
+  const ColumnTable edges_, filled_;
   const int angle_;
   const int tallest_;
   ScanConstants constants_;

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "fixtures/random_volumes.hpp"
-#include "objectness_segmentation/integral/integral_volume.hpp"
+#include "objectness_segmentation/integral/cue_volumes.hpp"
 
 using namespace objectness;
 using objectness_test::Dice;
@@ -11,15 +11,15 @@ TEST(IntegralVolume, CountsEveryBoxAsALoopDoes) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     Dice dice(seed);
     const int nx = dice.between(1, 6), ny = dice.between(1, 6), nz = dice.between(1, 5), padding = dice.below(3);
-    IntegralVolume volume(nx, ny, nz, padding);
+    VoxelBits bits(nx, ny, nz);
     std::vector<int> voxels(nx * ny * nz, 0);
     for (int i = dice.below(nx * ny * nz + 1); i > 0; --i) {
       const int x = dice.below(nx), y = dice.below(ny), z = dice.below(nz);
-      volume.set(x, y, z);
-      EXPECT_TRUE(volume.isSet(x, y, z));
+      bits.set(x, y, z);
+      EXPECT_TRUE(bits.isSet(x, y, z));
       voxels[(x * ny + y) * nz + z] = 1;
     }
-    volume.integrate();
+    const IntegralVolume volume(bits, padding);
     const auto loop = [&](int x0, int x1, int y0, int y1, int z0, int z1) {
       int sum = 0;
       for (int x = x0; x < x1; ++x) {
@@ -48,11 +48,37 @@ TEST(IntegralVolume, CountsEveryBoxAsALoopDoes) {
 }
 
 TEST(IntegralVolume, SettingAVoxelTwiceCountsOnce) {
-  IntegralVolume volume(2, 2, 2);
-  volume.set(1, 1, 1);
-  volume.set(1, 1, 1);
-  volume.integrate();
+  VoxelBits bits(2, 2, 2);
+  bits.set(1, 1, 1);
+  bits.set(1, 1, 1);
+  EXPECT_EQ(IntegralVolume(bits).total(), 1);
+}
+
+TEST(IntegralVolume, BoxesOfMoreVoxelsThanASumHolds) {
+  // 60 x 50 x 70 = 210,000 set voxels: sums modulo 2^16 wrap three times.
+  VoxelBits bits(60, 50, 70);
+  for (int x = 0; x < 60; ++x) {
+    for (int y = 0; y < 50; ++y) {
+      for (int z = 0; z < 70; ++z) bits.set(x, y, z);
+    }
+  }
+  const IntegralVolume volume(bits, 3);
+  EXPECT_EQ(volume.total(), 210000);
+  EXPECT_EQ(volume.count(0, 60, 0, 50, 70), 210000);
+  EXPECT_EQ(volume.count(0, 60, 0, 50, 73), 210000);
+  EXPECT_EQ(volume.count(1, 59, 2, 49, 5, 68), 58 * 47 * 63);
+  EXPECT_EQ(volume.count(17, 18, 0, 50, 70), 3500);
+}
+
+TEST(IntegralVolume, MemoryIsUsedAgainForSmallerVolumes) {
+  VoxelBits large(9, 9, 9), small(3, 4, 5);
+  for (int i = 0; i < 9; ++i) large.set(i, i, i);
+  small.set(2, 3, 4);
+  IntegralVolume volume(large);
+  volume.assign(small, 2);
   EXPECT_EQ(volume.total(), 1);
+  EXPECT_EQ(volume.count(0, 3, 0, 4, 7), 1);
+  EXPECT_EQ(volume.count(0, 3, 0, 4, 4), 0);
 }
 
 TEST(IntegralVolume, AnEmptyOneHoldsNothing) { EXPECT_EQ(IntegralVolume().total(), 0); }
@@ -61,7 +87,7 @@ TEST(SuperpixelVolume, CountsInAnyBoxOfTheGrid) {
   Dice dice(3);
   std::vector<Eigen::Vector3i> voxels;
   for (int i = 0; i < 12; ++i) voxels.emplace_back(dice.between(2, 5), dice.between(1, 4), dice.between(1, 3));
-  const SuperpixelVolume superpixel(voxels);
+  const SuperpixelVolume superpixel(superpixelVoxels(voxels, 6));
   std::sort(voxels.begin(), voxels.end(), [](const auto& a, const auto& b) {
     return std::make_tuple(a.x(), a.y(), a.z()) < std::make_tuple(b.x(), b.y(), b.z());
   });

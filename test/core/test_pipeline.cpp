@@ -193,31 +193,3 @@ TEST(Pipeline, AVolumeTooLargeForMemoryIsRefused) {
   EXPECT_EQ(result.status.code, StatusCode::kVolumeTooLarge);
   EXPECT_NE(result.status.message.find("volume.voxel_m"), std::string::npos) << result.status.message;
 }
-
-/// On a real scene: the search finds the very boxes and scores of the plain nested loop over every box.
-TEST(Pipeline, SearchEqualsThePlainLoopOnARealScene) {
-  const std::string data = sharedData();
-  if (data.empty()) GTEST_SKIP() << "no shared data: set OBJECTNESS_DATA";
-  const Config config;
-  const auto read = loadSceneFolder(data + "/mosd/learn26", std::nullopt, config.input);
-  ASSERT_TRUE(read.ok()) << read.status.message;
-  const Frame& frame = read.value;
-  const Segmentation seen = segment(frame, config);
-  const CuePoints points = collectCuePoints(frame, seen.table, seen.object_points, seen.edges, seen.superpixels);
-  const SearchTask task{samplingOf(config.search, config.volume.voxel_m),
-                        ringOf(config.objectness, config.volume.voxel_m), config.objectness, config.filter.threshold};
-  std::size_t boxes = 0;
-  for (int angle = 0; angle < 18; ++angle) {
-    const Grid grid = makeGrid(points, sampledAngles(config.search)[angle], config.volume, 3, 3, 45);
-    const CueVolumes volumes = buildCueVolumes(frame, seen.table, points, grid, config.volume, task.ring.z);
-    const SearchResult fast = searchScan(volumes, angle, task), plain = searchPlain(volumes, angle, task);
-    ASSERT_EQ(fast.sampled, plain.sampled);
-    ASSERT_EQ(fast.boxes.size(), plain.boxes.size());
-    for (std::size_t i = 0; i < plain.boxes.size(); ++i) {
-      ASSERT_EQ(fast.boxes[i].box, plain.boxes[i].box);
-      ASSERT_EQ(0, std::memcmp(&fast.boxes[i].objectness, &plain.boxes[i].objectness, sizeof(float)));
-    }
-    boxes += plain.boxes.size();
-  }
-  EXPECT_GT(boxes, 0u);
-}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -8,6 +9,7 @@
 #include "objectness_segmentation/search/search.hpp"
 
 using namespace objectness;
+using objectness_test::Dice;
 using objectness_test::randomVolumes;
 
 namespace {
@@ -57,28 +59,64 @@ TEST(Sampler, AnglesCoverAQuarterTurnWithoutItsEnd) {
   EXPECT_EQ(sampledAngles(one).size(), 1u);
 }
 
-TEST(Search, ScanEqualsThePlainLoopToTheLastBit) {
-  std::size_t boxes = 0;
-  for (unsigned seed = 0; seed < 400; ++seed) {
-    SearchTask task = smallTask();
-    objectness_test::Dice dice(seed + 1000);
-    if (dice.below(2)) task.sampling = {2, 2, 1, 3, 45};
-    if (dice.below(4) == 0) task.sampling = {2, 1, 2, 3, 7};
-    task.objectness.three_face_area = dice.below(2);
-    task.threshold = 0.5 + 0.6 * dice.unit();
-    task.objectness.min_straddling = dice.unit();
-    if (dice.below(4) == 0) {
-      task.objectness.weight_outer = 2 * dice.unit() - 1;
-      task.objectness.weight_free = 0.3 * (dice.unit() - 0.5);
-      task.objectness.weight_edges = 2 * dice.unit() - 1;
-    }
-    const CueVolumes volumes = randomVolumes(seed, task.ring.z);
-    const SearchResult plain = searchPlain(volumes, 5, task);
-    ASSERT_EQ(plain.sampled, countBoxes(volumes.grid, task.sampling)) << "seed " << seed;
-    boxes += plain.boxes.size();
-    ASSERT_NO_FATAL_FAILURE(expectSame(searchScan(volumes, 5, task), plain)) << "seed " << seed;
+/// Any task that the bounds hold for.
+SearchTask randomTask(Dice& dice) {
+  SearchTask task = smallTask();
+  if (dice.below(2)) task.sampling = {2, 2, 1, 3, 45};
+  if (dice.below(4) == 0) task.sampling = {2, 1, 2, 3, 7};
+  if (dice.below(6) == 0) task.sampling = {3, 2, 1, 1, 6};
+  if (dice.below(4) == 0) task.ring = {dice.below(4), dice.below(3)};
+  ObjectnessConfig& o = task.objectness;
+  o.three_face_area = dice.below(2);
+  task.threshold = 0.5 + 0.6 * dice.unit();
+  o.min_straddling = dice.unit();
+  if (dice.below(4) == 0) {
+    o.weight_outer = dice.unit(), o.weight_edges = dice.unit(), o.weight_free = -0.3 * dice.unit();
+    o.max_edge_density = 0.2 + dice.unit();
+    o.min_straddling = dice.below(2) ? 0 : 0.3;
+    o.constant = 0.5 - dice.unit();
+    task.threshold = o.constant + 0.4 * dice.unit();
   }
-  EXPECT_GT(boxes, 5000u) << "the volumes must have boxes to find";
+  return task;
+}
+
+TEST(Search, BoundedAndScanEqualThePlainLoopToTheLastBit) {
+  std::size_t boxes = 0;
+  std::int64_t sampled = 0, nodes = 0;
+  for (unsigned seed = 0; seed < 3000; ++seed) {
+    Dice dice(seed + 1000);
+    const SearchTask task = randomTask(dice);
+    const CueVolumes volumes = randomVolumes(seed, task.ring.z);
+    const SearchResult plain = searchPlain(volumes, 5, task), bounded = searchBounded(volumes, 5, task);
+    ASSERT_EQ(plain.sampled, countBoxes(volumes.grid, task.sampling)) << "seed " << seed;
+    ASSERT_NO_FATAL_FAILURE(expectSame(bounded, plain)) << "seed " << seed;
+    ASSERT_EQ(bounded.unbounded, "");
+    if (seed % 4 == 0) {
+      ASSERT_NO_FATAL_FAILURE(expectSame(searchScan(volumes, 5, task), plain)) << "seed " << seed;
+    }
+    boxes += plain.boxes.size();
+    sampled += plain.sampled;
+    nodes += bounded.nodes;
+  }
+  EXPECT_GT(boxes, 50000u) << "the volumes must have boxes to find";
+  EXPECT_LT(nodes, sampled / 4) << "the bounds must rule something out";
+}
+
+TEST(Search, WeightsThatTheBoundsDoNotHoldForAreScannedAndSaidSo) {
+  std::size_t boxes = 0;
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    Dice dice(seed);
+    SearchTask task = randomTask(dice);
+    task.objectness.weight_outer = 2 * dice.unit() - 1;
+    task.objectness.weight_edges = 2 * dice.unit() - 1;
+    task.objectness.weight_free = 0.3 * dice.unit() + 1e-6;
+    const CueVolumes volumes = randomVolumes(seed, task.ring.z);
+    const SearchResult plain = searchPlain(volumes, 2, task), bounded = searchBounded(volumes, 2, task);
+    ASSERT_NO_FATAL_FAILURE(expectSame(bounded, plain)) << "seed " << seed;
+    EXPECT_NE(bounded.unbounded.find("weight_free"), std::string::npos) << bounded.unbounded;
+    boxes += plain.boxes.size();
+  }
+  EXPECT_GT(boxes, 1000u);
 }
 
 TEST(Search, ScanSkipsMostOfTheWork) {
@@ -92,16 +130,33 @@ TEST(Search, ScanSkipsMostOfTheWork) {
   EXPECT_LT(scored, sampled / 4);
 }
 
-TEST(Search, ResultsComeInTheOrderOfEnumeration) {
+TEST(Search, ResultsComeBestFirst) {
   const SearchTask task = smallTask();
-  const SearchResult result = searchScan(randomVolumes(1, task.ring.z), 3, task);
-  ASSERT_FALSE(result.boxes.empty());
-  for (std::size_t i = 1; i < result.boxes.size(); ++i) {
-    EXPECT_LT(result.boxes[i - 1].box.key(), result.boxes[i].box.key());
+  for (const auto search : {searchPlain, searchScan, searchBounded}) {
+    const SearchResult result = search(randomVolumes(1, task.ring.z), 3, task);
+    ASSERT_GT(result.boxes.size(), 10u);
+    EXPECT_TRUE(std::is_sorted(result.boxes.begin(), result.boxes.end(), better));
+    for (const auto& scored : result.boxes) {
+      EXPECT_EQ(scored.box.angle, 3);
+      EXPECT_GE(scored.objectness, task.threshold);
+    }
   }
-  for (const auto& scored : result.boxes) {
-    EXPECT_EQ(scored.box.angle, 3);
-    EXPECT_GE(scored.objectness, task.threshold);
+}
+
+TEST(Search, SortingBestFirstIsTheOrderOfBetter) {
+  Dice dice(4);
+  std::vector<ScoredBox> boxes(500);
+  for (auto& scored : boxes) {
+    // Few values, so that many are equal; of either sign, and both zeros.
+    scored.objectness = static_cast<float>(dice.between(-3, 3)) * (dice.below(2) ? 0.25f : -0.25f);
+    scored.box = {dice.below(3), dice.below(9), 20, dice.below(9), 20, dice.below(9)};
+  }
+  std::vector<ScoredBox> expected = boxes;
+  std::sort(expected.begin(), expected.end(), better);
+  sortBestFirst(boxes);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    EXPECT_EQ(boxes[i].objectness, expected[i].objectness);
+    EXPECT_EQ(boxes[i].box, expected[i].box);
   }
 }
 
@@ -111,5 +166,6 @@ TEST(Search, AGridSmallerThanTheSmallestBoxHasNone) {
   task.sampling.max_size = 45;
   const CueVolumes volumes = randomVolumes(1, task.ring.z);
   EXPECT_EQ(searchScan(volumes, 0, task).sampled, 0);
+  EXPECT_EQ(searchBounded(volumes, 0, task).sampled, 0);
   EXPECT_TRUE(searchPlain(volumes, 0, task).boxes.empty());
 }

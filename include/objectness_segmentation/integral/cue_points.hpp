@@ -27,8 +27,12 @@ CuePoints collectCuePoints(const Frame& frame, const Table& table, const ObjectP
 
 /// The volume of interest seen at one angle: as far as the object points reach (paper Sec. 2), snapped to voxels and
 /// `margin` voxels wider on each side, at least volume.min_extent_m wide, from the table up to the highest point but no
-/// higher than max_height voxels and no lower than min_height.
+/// higher than max_height voxels and no lower than min_height and volume.min_height_m.
 Grid makeGrid(const CuePoints& points, double angle_rad, const VolumeConfig& config, int margin, int min_height,
               int max_height);
+
+/// The same from the bounds of the points in the turned frame and the highest point, metres.
+Grid makeGrid(const Eigen::Vector2f& low, const Eigen::Vector2f& high, float top_m, double angle_rad,
+              const VolumeConfig& config, int margin, int min_height, int max_height);
 
 }  // namespace objectness

@@ -4,29 +4,41 @@
 #include <algorithm>
 #include <vector>
 
-#include "objectness_segmentation/integral/cue_points.hpp"
-#include "objectness_segmentation/integral/grid.hpp"
+#include "objectness_segmentation/integral/cue_voxels.hpp"
 #include "objectness_segmentation/integral/integral_volume.hpp"
 
 namespace objectness {
 
-/// The integral volume of one superpixel on its own bounding box: most boxes meet few superpixels, and a table over the
-/// whole grid for each would cost memory for nothing.
+/// The integral volume of one superpixel, on its own bounding box in x and y (SuperpixelVoxels).
 class SuperpixelVolume {
  public:
-  SuperpixelVolume(const std::vector<Eigen::Vector3i>& voxels);
+  SuperpixelVolume() = default;
+  explicit SuperpixelVolume(const SuperpixelVoxels& superpixel) { assign(superpixel); }
+  void assign(const SuperpixelVoxels& superpixel) {
+    x0_ = superpixel.x0, y0_ = superpixel.y0;
+    volume_.assign(superpixel.voxels);
+  }
 
   /// Voxels of the superpixel in the box (any box of the grid).
   int count(int x0, int x1, int y0, int y1, int height) const {
-    x0 = std::max(x0 - low_.x(), 0), x1 = std::min(x1 - low_.x(), volume_.nx());
-    y0 = std::max(y0 - low_.y(), 0), y1 = std::min(y1 - low_.y(), volume_.ny());
-    height = std::min(height - low_.z(), volume_.nz());
-    return x0 < x1 && y0 < y1 && height > 0 ? volume_.count(x0, x1, y0, y1, height) : 0;
+    x0 = std::max(x0 - x0_, 0), x1 = std::min(x1 - x0_, volume_.nx());
+    y0 = std::max(y0 - y0_, 0), y1 = std::min(y1 - y0_, volume_.ny());
+    return x0 < x1 && y0 < y1 ? volume_.count(x0, x1, y0, y1, height) : 0;
   }
   int total() const { return volume_.total(); }
 
+  /// Its bounding box, half-open, in the grid.
+  int left() const { return x0_; }
+  int right() const { return x0_ + volume_.nx(); }
+  int front() const { return y0_; }
+  int back() const { return y0_ + volume_.ny(); }
+
+  /// Sums at corner (x, y) of the grid, which must be within the bounding box; heights as in IntegralVolume.
+  const std::uint16_t* column(int x, int y) const { return volume_.column(x - x0_, y - y0_); }
+  const IntegralVolume& volume() const { return volume_; }
+
  private:
-  Eigen::Vector3i low_ = Eigen::Vector3i::Zero();
+  int x0_ = 0, y0_ = 0;
   IntegralVolume volume_;
 };
 
@@ -41,12 +53,8 @@ struct CueVolumes {
   std::vector<SuperpixelVolume> superpixels;            ///< one per label that has a voxel in the grid, Sec. 3.3
 };
 
-/// Builds the volumes of one angle. ring_z: how far over the grid boxes may reach (b_eps of Eq. 2), voxels.
-CueVolumes buildCueVolumes(const Frame& frame, const Table& table, const CuePoints& points, const Grid& grid,
-                           const VolumeConfig& config, int ring_z);
-
-/// Whether the point is hidden from the camera: its pixel was measured nearer than it by more than the tolerance
-/// (Sec. 2.3). Beyond the image: free. Missing depth: unknown_is_occluded.
-bool isOccluded(const Frame& frame, const Eigen::Vector3d& p_camera, const VolumeConfig& config);
+/// Sums up one angle's voxels into `volumes`, whose memory is kept. ring_z: how far over the grid boxes may reach (b_eps
+/// of Eq. 2), voxels.
+void integrate(const CueVoxels& voxels, const Table& table, int ring_z, CueVolumes& volumes);
 
 }  // namespace objectness

@@ -20,6 +20,8 @@ struct SearchOutcome {
   std::int64_t sampled = 0;      ///< boxes of the sampling (Sec. 2.2)
   std::int64_t scored = 0;       ///< of them scored in full; the others provably do not reach the threshold
   std::int64_t passed = 0;       ///< of them at or above the threshold
+  std::int64_t nodes = 0;        ///< sets of boxes that were bounded together
+  std::string unbounded;         ///< why the bounds could not be used (SearchResult::unbounded)
 };
 
 /// The configuration of the search, gathered from the stages it belongs to.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
+#include "bound_kernel.hpp"
 
 namespace objectness {
 
@@ -13,14 +13,9 @@ struct ScanConstants {
   float min_edges;
 };
 
-/// The columns of an integral volume at the four corners of one footprint, indexed by height.
-struct FootprintColumns {
-  const std::int32_t *p11, *p01, *p10, *p00;
-};
-
 /// The footprint of a row of boxes that differ in height only; lengths and areas in voxels.
 struct ScanFootprint {
-  FootprintColumns edges, ring, filled;  ///< ring: of the expanded footprint, already shifted up by the ring's height
+  CornerColumns edges, ring, filled;  ///< ring: of the expanded footprint, already shifted up by the ring's height
   float base;                            ///< sx * sy
   float sides;                           ///< visible side area per voxel of height
   const float* top_visible;              ///< 1 where the top face at this height is visible, else 0

@@ -17,7 +17,8 @@ namespace {
 
 enum ExitStatus { kDone = 0, kFailed = 1, kUsageError = 2 };
 
-constexpr int kPlainWidth_px = 640;  // the nested loop's time does not depend on the picture's size
+/// Of the pictures in which all is compared; in larger and smaller ones only the package itself is measured.
+constexpr int kComparedWidth_px = 640;
 
 ExitStatus complain(ExitStatus status, const std::string& message) {
   printToolMessage("benchmark_objectness", message);
@@ -78,8 +79,9 @@ int main(int argc, char** argv) {
   if (options.memory) memory.measure(scenes.value, frameMethods());
   initializeLibrary(options, argv[0]);
   for (const BenchmarkScene& scene : scenes.value) {
-    registerFrames(scene, memory, options.repetitions);
-    registerSearches(scene, scene.width == kPlainWidth_px, options.repetitions);
+    const bool compared = scene.width == kComparedWidth_px;
+    registerFrames(scene, memory, compared, options.repetitions);
+    registerSearches(scene, compared, options.repetitions);
   }
   ProgressReporter progress;
   benchmark::RunSpecifiedBenchmarks(&progress);

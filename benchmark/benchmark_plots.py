@@ -5,6 +5,7 @@ import matplotlib
 matplotlib.use("Agg")  # no display needed
 import matplotlib.pyplot as plt
 
+matplotlib.rcParams["svg.fonttype"] = "none"  # text as text: a fraction of the size
 matplotlib.rcParams["svg.hashsalt"] = "benchmark"  # the same figures, the same file
 COLORS = ["#1f77b4", "#d62728", "#2ca02c", "#ff7f0e", "#9467bd", "#7f7f7f", "#8c564b"]
 # (part, kind, volume) with its name in the legend

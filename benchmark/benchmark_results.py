@@ -6,7 +6,7 @@ import pathlib
 import statistics
 
 Scene = collections.namedtuple("Scene", "name objects width height simulated")
-RUN_LIMIT_PX = 640  # figures that name no size are of pictures this wide
+COMPARED_WIDTH_PX = 640  # of the pictures that the figures are about
 
 
 class Value:
@@ -74,7 +74,7 @@ class Results:
         found = self.get(part, kind, volume, scene)
         return statistics.median(found.wall) if found else None
 
-    def select(self, least=0, most=10**9, width=RUN_LIMIT_PX, simulated=None):
+    def select(self, least=0, most=10**9, width=COMPARED_WIDTH_PX, simulated=None):
         """Scenes by their number of objects and kind."""
         return [s for s in self.scenes if least <= s.objects <= most and (width is None or s.width == width)
                 and (simulated is None or s.simulated == simulated)]

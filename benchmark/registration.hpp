@@ -34,14 +34,15 @@ auto guarded(Work work) {
 
 /// "frame/METHOD/VOLUME/SCENE": wall and CPU time of a whole frame, kThreads threads, once it is warm. Counters: stages
 /// ("stage:NN:NAME", ms, in order), what was counted ("count:NAME"), peak_mib.
-void registerFrames(const BenchmarkScene& scene, const PeakMemory& memory, const Repetitions& repetitions);
+void registerFrames(const BenchmarkScene& scene, const PeakMemory& memory, bool with_peers,
+                    const Repetitions& repetitions);
 
 /// What an exhaustive search costs, over all angles:
 /// - "search/plain|scan|bounded/VOLUME/SCENE": CPU time of one thread, volumes not counted. A search that does not
-///   find the same boxes as the first to be run fails.
+///   find the same boxes as the first to be run fails. plain and scan: with_oracles.
 /// - "volumes/all/VOLUME/SCENE": CPU time of one thread to build the volumes.
 /// - "angles/all/VOLUME/SCENE": wall time of both with kThreads threads, as in a frame.
 /// Counters: boxes (sampled), passed, scored.
-void registerSearches(const BenchmarkScene& scene, bool with_plain, const Repetitions& repetitions);
+void registerSearches(const BenchmarkScene& scene, bool with_oracles, const Repetitions& repetitions);
 
 }  // namespace objectness::benchmarks

@@ -38,25 +38,21 @@ class SharedInput {
   std::optional<std::vector<ScoredBox>> boxes_;
 };
 
-struct Named {
-  const char* kind;
-  Search search;  ///< null: volumes only
-};
-
 benchmark::internal::Benchmark* oneRun(benchmark::internal::Benchmark* added, int repetitions) {
   return added->Iterations(1)->Repetitions(repetitions)->Unit(benchmark::kMillisecond);
 }
 
-void registerOnOneThread(const std::string& name, const Named& what, int repetitions,
+/// search: null for the volumes alone.
+void registerOnOneThread(const std::string& name, Search search, int repetitions,
                          const std::shared_ptr<SharedInput>& shared) {
   const auto run = [=](benchmark::State& state) {
     const SearchInput& input = shared->get();
     SearchResult result;
     for (auto _ : state) {
-      const SearchTimes times = input.run(what.search, result);
-      state.SetIterationTime(what.search ? times.search : times.volumes);
+      const SearchTimes times = input.run(search, result);
+      state.SetIterationTime(search ? times.search : times.volumes);
     }
-    if (!what.search) return;
+    if (!search) return;
     if (!shared->agrees(result.boxes)) return state.SkipWithError("does not find the same boxes as the other searches");
     state.counters["boxes"] = static_cast<double>(result.sampled);
     state.counters["scored"] = static_cast<double>(result.scored);
@@ -79,16 +75,16 @@ void registerOnAllThreads(const std::string& name, int repetitions, const std::s
 
 }  // namespace
 
-void registerSearches(const BenchmarkScene& scene, bool with_plain, const Repetitions& repetitions) {
+void registerSearches(const BenchmarkScene& scene, bool with_oracles, const Repetitions& repetitions) {
   for (const auto& [volume, config] : volumesOfInterest()) {
     const auto shared = std::make_shared<SharedInput>(scene, config);
     const std::string suffix = "/" + volume + "/" + scene.source.name;
-    if (with_plain) {
-      registerOnOneThread("search/plain" + suffix, {"plain", searchPlain}, repetitions.plain, shared);
+    if (with_oracles) {
+      registerOnOneThread("search/plain" + suffix, searchPlain, repetitions.plain, shared);
+      registerOnOneThread("search/scan" + suffix, searchScan, repetitions.scans, shared);
     }
-    registerOnOneThread("search/scan" + suffix, {"scan", searchScan}, repetitions.scans, shared);
-    registerOnOneThread("search/bounded" + suffix, {"bounded", searchBounded}, repetitions.frames, shared);
-    registerOnOneThread("volumes/all" + suffix, {"volumes", nullptr}, repetitions.frames, shared);
+    registerOnOneThread("search/bounded" + suffix, searchBounded, repetitions.frames, shared);
+    registerOnOneThread("volumes/all" + suffix, nullptr, repetitions.frames, shared);
     registerOnAllThreads("angles/all" + suffix, repetitions.frames, shared);
   }
 }

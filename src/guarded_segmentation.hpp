@@ -10,15 +10,14 @@
 namespace objectness {
 
 /// Calls run(result), which fills the result. What all ways to segment a frame owe their callers: labels of the frame's
-/// size, the total time, and a status in place of an exception.
+/// size (none where not even they could be made), the total time, and a status in place of an exception.
 template <class Run>
 Segmentation guardedSegmentation(const Frame& frame, const Run& run) {
   Segmentation result;
-  result.labels = cv::Mat_<ushort>(frame.height(), frame.width(), static_cast<ushort>(0));
-  StageTimes total;
   {
-    const StageTimer timer(total, "total");
+    const StageTimer timer(result.report.timings_ms, "total");
     try {
+      result.labels = cv::Mat_<ushort>(frame.height(), frame.width(), static_cast<ushort>(0));
       run(result);
     } catch (const std::bad_alloc&) {
       result.status = Status::error(StatusCode::kInternalError, "out of memory");
@@ -26,7 +25,6 @@ Segmentation guardedSegmentation(const Frame& frame, const Run& run) {
       result.status = Status::error(StatusCode::kInternalError, e.what());
     }
   }
-  result.report.timings_ms.push_back(total.front());
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "guarded_segmentation.hpp"
+#include "objectness_segmentation/common/thread_pool.hpp"
 #include "objectness_segmentation/grouping/bottom_up.hpp"
 #include "objectness_segmentation/grouping/group_cost.hpp"
 #include "objectness_segmentation/grouping/hand_set.hpp"
@@ -73,8 +74,9 @@ class Stages {
 
 /// What both methods start from: the table, the points on it, edges and superpixels. Returns the normals.
 Normals seeScene(const Frame& frame, const Config& config, const Stages& stage, Segmentation& result) {
+  const int threads = config.runtime.threads;
   // Sec. 2: the dominant plane, and the points above it.
-  Normals normals = stage("normals", [&] { return estimateNormals(frame, config.normals); });
+  Normals normals = stage("normals", [&] { return estimateNormals(frame, config.normals, {}, threads); });
   Result<Table> found = stage("table", [&] { return findTable(frame, normals, config.table); });
   result.status = found.status;
   result.table = std::move(found.value);
@@ -96,8 +98,9 @@ Normals seeScene(const Frame& frame, const Config& config, const Stages& stage, 
 
 /// The paper: boxes of an exhaustive sampling, weighed by hand.
 void searchBoxes(const Frame& frame, const Config& config, const Stages& stage, Segmentation& result) {
-  const CuePoints points =
-      collectCuePoints(frame, result.table, result.object_points, result.edges, result.superpixels);
+  const CuePoints points = stage("cue_points", [&] {
+    return collectCuePoints(frame, result.table, result.object_points, result.edges, result.superpixels);
+  });
   stage.count("object_points", points.points.size());
   stage.count("edge_points", points.edges.size());
 
@@ -108,6 +111,8 @@ void searchBoxes(const Frame& frame, const Config& config, const Stages& stage, 
   stage.count("boxes_sampled", search.sampled);
   stage.count("boxes_scored", search.scored);
   stage.count("boxes_passed", search.passed);
+  stage.count("boxes_bounded", search.unbounded.empty());
+  stage.value("search_threshold", search.threshold);
   if (!search.status.ok()) {
     result.status = search.status;
     return;
@@ -208,6 +213,7 @@ void groupPieces(const Frame& frame, const Config& config, const LearnedObjectne
 /// Fills `result` as far as it gets.
 void run(const Frame& frame, const Config& config, const LearnedObjectness* model, const std::atomic<bool>* cancel,
          Segmentation& result) {
+  const ThreadPool pool(config.runtime.threads);
   const Stages stage(cancel, result.report);
   const Normals normals = seeScene(frame, config, stage, result);
   if (!result.status.ok()) return;

@@ -17,6 +17,7 @@
 #include "objectness_segmentation/segments/segments.hpp"
 #include "objectness_segmentation/selection/box_filter.hpp"
 #include "objectness_segmentation/selection/global_selection.hpp"
+#include "objectness_segmentation/tracking/tracker.hpp"
 
 namespace objectness {
 
@@ -50,6 +51,7 @@ struct Config {
   LinksConfig links;
   GroupingConfig grouping;
   SegmentsConfig segments;
+  TrackingConfig tracking;  ///< from frame to frame: not used by segment()
   RuntimeConfig runtime;
 
   template <class Self, class Visit>
@@ -72,6 +74,7 @@ struct Config {
     visit("grouping", self.grouping);
     visit("group_cues", self.grouping.cues);
     visit("segments", self.segments);
+    visit("tracking", self.tracking);
     visit("runtime", self.runtime);
   }
 };

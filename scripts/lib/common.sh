@@ -7,6 +7,7 @@ scripts_dir=$repo_dir/scripts
 build_dir=$repo_dir/build
 log_dir=$build_dir/logs
 noetic_setup=/opt/ros/noetic/setup.bash
+cmake_options=()  # of one kind of build
 
 # The system's own tools first: catkin's Python modules are there and not in a virtualenv's or conda's python. Another
 # workspace's paths would only mix other versions of the same packages in.
@@ -91,8 +92,14 @@ build_all() {
   say "Building with ${jobs:=$(job_count)} job(s) in $build_dir ..."
   # Both names: catkin asks for the one, packages that it finds for the other.
   quietly configure cmake -S "$repo_dir" -B "$build_dir" -DPYTHON_EXECUTABLE=/usr/bin/python3 \
-    -DPython3_EXECUTABLE=/usr/bin/python3 -DCATKIN_ENABLE_TESTING="${testing:-OFF}"
+    -DPython3_EXECUTABLE=/usr/bin/python3 -DCATKIN_ENABLE_TESTING="${testing:-OFF}" "${cmake_options[@]}"
   quietly build cmake --build "$build_dir" -j "$jobs" --target "$@"
+}
+
+# use_build_folder NAME: everything into build/NAME, beside the usual build.
+use_build_folder() {
+  build_dir=$repo_dir/build/$1
+  log_dir=$build_dir/logs
 }
 
 # Environment of the devel space, with everything ROS writes kept in the build directory.

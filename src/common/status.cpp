@@ -27,6 +27,10 @@ const char* toString(StatusCode code) {
       return "cancelled";
     case StatusCode::kInternalError:
       return "internal_error";
+    case StatusCode::kNoTransform:
+      return "no_transform";
+    case StatusCode::kNoInput:
+      return "no_input";
   }
   return "unknown";
 }

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "boundary.hpp"
-#include "objectness_segmentation/evaluation/assignment.hpp"
+#include "objectness_segmentation/common/assignment.hpp"
 #include "objectness_segmentation/segments/segments.hpp"
 
 namespace objectness::evaluation {

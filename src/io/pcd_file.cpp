@@ -74,15 +74,16 @@ Result<RawCloud> toRawCloud(const pcl::PCLPointCloud2& cloud) {
 }  // namespace
 
 Result<RawCloud> loadPcd(const std::string& path) {
-  const Status header = checkPcdHeader(path);
-  if (!header.ok()) return Result<RawCloud>::error(header);
+  const Result<PcdSize> header = checkPcdHeader(path);
+  if (!header.ok()) return Result<RawCloud>::error(header.status);
   const QuietPcl quiet;
   try {
     pcl::PCLPointCloud2 cloud;
     Eigen::Vector4f origin;
     Eigen::Quaternionf orientation;
     int version = 0;
-    if (pcl::PCDReader().read(path, cloud, origin, orientation, version) >= 0) return toRawCloud(cloud);
+    const bool read = pcl::PCDReader().read(path, cloud, origin, orientation, version) >= 0;
+    if (read && cloud.width == header.value.width && cloud.height == header.value.height) return toRawCloud(cloud);
   } catch (const std::exception&) {
     // The reason is in PCL's terms, of no help to a user.
   }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pcd_header.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <sstream>
 #include <vector>
@@ -18,6 +20,9 @@ constexpr int kMaxHeaderLines = 100;
 constexpr std::size_t kMaxLineBytes = 65536;
 // LZF packs at most 264 bytes into three.
 constexpr std::uint64_t kMaxLzfRatio = 264 / 3;
+
+const char* const kKeys[] = {"VERSION", "FIELDS", "SIZE",      "TYPE",   "COUNT",
+                             "WIDTH",   "HEIGHT", "VIEWPOINT", "POINTS", "DATA"};
 
 struct PcdHeader {
   std::map<std::string, std::vector<std::string>> entries;  ///< "WIDTH" -> {"640"}
@@ -51,7 +56,16 @@ Result<PcdHeader> readHeader(std::ifstream& file) {
     std::string key, word;
     words >> key;
     if (key.empty() || key[0] == '#') continue;
-    std::vector<std::string>& values = header.value.entries[key == "COLUMNS" ? "FIELDS" : key];
+    if (key == "COLUMNS") key = "FIELDS";
+    // PCL looks only at how a line begins, and at the last one of a kind.
+    if (std::find(std::begin(kKeys), std::end(kKeys), key) == std::end(kKeys)) {
+      if (header.value.entries.empty()) break;
+      return Result<PcdHeader>::error(bad("is damaged: its header has a line '" + key.substr(0, 20) + "'"));
+    }
+    if (header.value.entries.count(key)) {
+      return Result<PcdHeader>::error(bad("is damaged: its header has two lines " + key));
+    }
+    std::vector<std::string>& values = header.value.entries[key];
     while (words >> word) values.push_back(word);
     if (key == "DATA") {
       header.value.data_offset = static_cast<std::uint64_t>(file.tellg());
@@ -91,45 +105,48 @@ Status checkDataSize(const PcdHeader& header, std::uint64_t points, std::uint64_
 
 }  // namespace
 
-Status checkPcdHeader(const std::string& path) {
+Result<PcdSize> checkPcdHeader(const std::string& path) {
+  const auto unusable = [](const std::string& message) { return Result<PcdSize>::error(bad(message)); };
   std::error_code error;
   const auto type = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(type)) return bad("there is no such file");
-  if (!std::filesystem::is_regular_file(type)) return bad("is not a file");
+  if (!std::filesystem::exists(type)) return unusable("there is no such file");
+  if (!std::filesystem::is_regular_file(type)) return unusable("is not a file");
   const std::uint64_t size = std::filesystem::file_size(path, error);
   std::ifstream file(path, std::ios::binary);
-  if (error || !file) return bad("cannot be read: check its permissions");
-  if (size == 0) return bad("is empty");
+  if (error || !file) return unusable("cannot be read: check its permissions");
+  if (size == 0) return unusable("is empty");
 
   const Result<PcdHeader> read = readHeader(file);
-  if (!read.ok()) return read.status;
+  if (!read.ok()) return Result<PcdSize>::error(read.status);
   const PcdHeader& header = read.value;
   for (const char* key : {"FIELDS", "SIZE", "TYPE", "WIDTH", "HEIGHT"}) {
-    if (!header.entries.count(key)) return bad(std::string("has no ") + key + " line in its header");
+    if (!header.entries.count(key)) return unusable(std::string("has no ") + key + " line in its header");
   }
   const std::uint64_t width = header.number("WIDTH"), height = header.number("HEIGHT");
   const std::uint64_t points = header.entries.count("POINTS") ? header.number("POINTS") : width * height;
   const std::string size_text = header.entries.at("WIDTH").empty() || header.entries.at("HEIGHT").empty()
                                     ? "no size"
                                     : header.entries.at("WIDTH")[0] + " x " + header.entries.at("HEIGHT")[0];
-  if (width == 0 || height == 0) return bad("has no points: its header says " + size_text);
+  if (width == 0 || height == 0) return unusable("has no points: its header says " + size_text);
   if (width > kMaxPoints || height > kMaxPoints || width * height > kMaxPoints) {
-    return bad("claims " + size_text + " points, more than the " + std::to_string(kMaxPoints) + " that are read");
+    return unusable("claims " + size_text + " points, more than the " + std::to_string(kMaxPoints) + " that are read");
   }
   if (points != width * height) {
-    return bad("contradicts itself: WIDTH x HEIGHT is " + size_text + ", POINTS is " + std::to_string(points));
+    return unusable("contradicts itself: WIDTH x HEIGHT is " + size_text + ", POINTS is " + std::to_string(points));
   }
   std::uint64_t point_bytes = 0;
   for (std::size_t i = 0; i < header.entries.at("FIELDS").size(); ++i) {
     const std::uint64_t size_i = header.perField("SIZE", i), count = header.perField("COUNT", i);
     const bool known = size_i == 1 || size_i == 2 || size_i == 4 || size_i == 8;
     if (!known || count < 1 || count > kMaxPointBytes)
-      return bad("has a SIZE or COUNT that is wrong or missing in its header");
+      return unusable("has a SIZE or COUNT that is wrong or missing in its header");
     point_bytes += size_i * count;
   }
   if (point_bytes == 0 || point_bytes > kMaxPointBytes)
-    return bad("has fields of " + std::to_string(point_bytes) + " bytes a point");
-  return checkDataSize(header, points, point_bytes, size - header.data_offset, file);
+    return unusable("has fields of " + std::to_string(point_bytes) + " bytes a point");
+  const Status data = checkDataSize(header, points, point_bytes, size - header.data_offset, file);
+  if (!data.ok()) return Result<PcdSize>::error(data);
+  return {Status{}, {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)}};
 }
 
 }  // namespace objectness

@@ -6,12 +6,12 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "file_access.hpp"
+#include "scene/image_limits.hpp"
 
 namespace objectness {
 namespace {
 
 constexpr std::uintmax_t kMaxPngBytes = 1u << 30;
-constexpr std::uint32_t kMaxSidePx = 16384;  // as validate(PinholeCamera)
 // Deflate packs at most 1032 bytes into one: a header that claims more pixels than that lies.
 constexpr std::uint64_t kMaxDeflateRatio = 1032;
 constexpr std::size_t kSignatureBytes = 8, kChunkFrameBytes = 12;
@@ -75,6 +75,7 @@ Result<cv::Mat> readPng(const std::string& path, PngKind kind) {
   if (!checked.ok()) return Image::error(checked.status);
   const PngHeader& header = checked.value;
   if (header.width < 1 || header.height < 1 || header.width > kMaxSidePx || header.height > kMaxSidePx ||
+      header.width * header.height > kMaxPixels ||
       header.bytes() > header.packed_bytes * kMaxDeflateRatio + kMaxDeflateRatio) {
     return Image::error(StatusCode::kBadInput, "claims to be " + std::to_string(header.width) + " x " +
                                                    std::to_string(header.height) + " pixels, which it cannot hold");

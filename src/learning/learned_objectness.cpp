@@ -22,14 +22,24 @@ Status parsePart(const nlohmann::json& json, const char* name, const std::vector
   return {};
 }
 
+Forest unpacked(const EmbeddedForest& embedded, const std::vector<std::string>& cues) {
+  Forest forest;
+  forest.cues.assign(embedded.cues, embedded.cues + embedded.cue_count);
+  if (forest.cues != cues) throw std::logic_error("the built-in model is made for other cues: learn it anew");
+  const Forest::Node* next = embedded.nodes;
+  for (std::size_t i = 0; i < embedded.tree_count; ++i) {
+    forest.trees.emplace_back(next, next + embedded.tree_sizes[i]);
+    next += embedded.tree_sizes[i];
+  }
+  return forest;
+}
+
 }  // namespace
 
 const LearnedObjectness& defaultModel() {
-  static const LearnedObjectness model = [] {
-    Result<LearnedObjectness> parsed = parseModel(kDefaultModelJson);
-    if (!parsed.ok()) throw std::logic_error("the built-in model " + parsed.status.message);
-    return parsed.value;
-  }();
+  static const LearnedObjectness model{unpacked(kDefaultModel.contact, cueNames<ContactCues>()),
+                                       unpacked(kDefaultModel.gap, cueNames<GapCues>()),
+                                       unpacked(kDefaultModel.group, cueNames<GroupCues>()), kDefaultModel.trained_on};
   return model;
 }
 

@@ -45,6 +45,10 @@ void writePoint(std::uint8_t* destination, const Eigen::Vector3f& point, const c
   std::memcpy(destination + kColorOffset, packed, sizeof(packed));
 }
 
+void writeLabel(std::uint8_t* destination, std::uint32_t label) {
+  std::memcpy(destination + kLabelOffset, &label, sizeof(label));
+}
+
 sensor_msgs::PointCloud2 extractCloud(const objectness::Frame& frame, const std::vector<int>& pixels,
                                       const std_msgs::Header& header) {
   const bool colored = !frame.color.empty();
@@ -58,20 +62,21 @@ sensor_msgs::PointCloud2 extractCloud(const objectness::Frame& frame, const std:
   return cloud;
 }
 
-sensor_msgs::PointCloud2 toSegmentsCloud(const objectness::Segmentation& segmentation, const objectness::Frame& frame,
-                                         const std_msgs::Header& header) {
-  if (!segmentation.status.ok()) return makeCloud(header, 0, true, true);
+sensor_msgs::PointCloud2 toSegmentsCloud(const SegmentedFrame& result, const std_msgs::Header& header) {
+  const auto& segments = result.segmentation.segments;
+  if (!result.segmentation.status.ok()) return makeCloud(header, 0, true, true);
   std::size_t size = 0;
-  for (const objectness::Segment& segment : segmentation.segments) size += segment.pixels.size();
+  for (const objectness::Segment& segment : segments) size += segment.pixels.size();
   sensor_msgs::PointCloud2 cloud = makeCloud(header, size, true, true);
   std::uint8_t* destination = cloud.data.data();
-  for (std::size_t rank = 0; rank < segmentation.segments.size(); ++rank) {
-    const objectness::Rgb color = objectness::objectColor(rank);
+  for (std::size_t rank = 0; rank < segments.size(); ++rank) {
+    const int label = identityOf(result, rank).label;
+    const objectness::Rgb color =
+        objectness::objectColor(static_cast<std::size_t>(label - objectness::kFirstObjectLabel));
     const cv::Vec3b bgr(color.b, color.g, color.r);
-    const auto label = static_cast<std::uint32_t>(SegmentedObject::LABEL_FIRST_OBJECT + rank);
-    for (const int pixel : segmentation.segments[rank].pixels) {
-      writePoint(destination, frame.points[pixel], &bgr);
-      std::memcpy(destination + kLabelOffset, &label, sizeof(label));
+    for (const int pixel : segments[rank].pixels) {
+      writePoint(destination, result.frame.points[pixel], &bgr);
+      writeLabel(destination, static_cast<std::uint32_t>(label));
       destination += cloud.point_step;
     }
   }

@@ -14,6 +14,9 @@ sensor_msgs::PointCloud2 makeCloud(const std_msgs::Header& header, std::size_t s
 /// Writes x y z, and a colour behind it when given (B, G, R).
 void writePoint(std::uint8_t* destination, const Eigen::Vector3f& point, const cv::Vec3b* bgr);
 
+/// Writes the label of a cloud that has colour, too.
+void writeLabel(std::uint8_t* destination, std::uint32_t label);
+
 /// The frame's points with these pixel indices, with the frame's colours when it has any.
 sensor_msgs::PointCloud2 extractCloud(const objectness::Frame& frame, const std::vector<int>& pixels,
                                       const std_msgs::Header& header);

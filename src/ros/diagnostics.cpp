@@ -3,6 +3,7 @@
 
 #include <diagnostic_msgs/DiagnosticStatus.h>
 
+#include <sstream>
 #include <string>
 
 namespace objectness_segmentation {
@@ -13,14 +14,29 @@ using diagnostic_msgs::DiagnosticStatus;
 /// Without a frame for longer than this something is missing.
 constexpr double kInputTimeout = 5.0;
 
-std::string missingInput(const InputState& inputs) {
-  if (inputs.clouds_seen == 0 && inputs.camera_infos_seen == 0) return "no messages on points and camera_info";
-  if (inputs.clouds_seen == 0) return "no messages on points";
-  if (inputs.camera_infos_seen == 0) return "no messages on camera_info";
-  return "no pairs of points and camera_info with the same stamp: does ~approximate_sync help?";
+std::string nothingOn(const std::string& topic, std::size_t publishers) {
+  return "no messages on " + topic +
+         (publishers == 0 ? ", which nobody publishes: remap it to the camera's topic" : "");
 }
 
 }  // namespace
+
+std::string missingInput(const InputState& inputs) {
+  if (inputs.frames > 0) return "no more frames on " + inputs.first_topic + " and " + inputs.camera_topic;
+  if (inputs.first_seen == 0 && inputs.camera_infos_seen == 0) {
+    return nothingOn(inputs.first_topic, inputs.first_publishers) + "; " +
+           nothingOn(inputs.camera_topic, inputs.camera_publishers);
+  }
+  if (inputs.first_seen == 0) return nothingOn(inputs.first_topic, inputs.first_publishers);
+  if (inputs.camera_infos_seen == 0) return nothingOn(inputs.camera_topic, inputs.camera_publishers);
+  std::ostringstream text;
+  text.precision(3);
+  text << std::fixed << "no pairs of " << inputs.first_topic << " and " << inputs.camera_topic
+       << " with the same stamp (the newest are of " << inputs.first_stamp.toSec() << " s and "
+       << inputs.camera_stamp.toSec() << " s, " << inputs.first_stamp.toSec() - inputs.camera_stamp.toSec()
+       << " s apart): does ~approximate_sync help?";
+  return text.str();
+}
 
 void describe(const FrameStatistics::Snapshot& snapshot, const InputState& inputs,
               diagnostic_updater::DiagnosticStatusWrapper& status) {
@@ -32,6 +48,8 @@ void describe(const FrameStatistics::Snapshot& snapshot, const InputState& input
     status.summary(DiagnosticStatus::WARN, missingInput(inputs));
   } else if (!snapshot.last_status.ok()) {
     status.summary(DiagnosticStatus::WARN, snapshot.last_status.message);
+  } else if (!snapshot.last_remark.empty()) {
+    status.summary(DiagnosticStatus::WARN, snapshot.last_remark);
   } else {
     status.summary(DiagnosticStatus::OK, "segmenting");
   }
@@ -40,10 +58,14 @@ void describe(const FrameStatistics::Snapshot& snapshot, const InputState& input
   status.addf("mean latency [ms]", "%.1f", snapshot.mean_latency_ms);
   status.addf("largest latency [ms]", "%.1f", snapshot.max_latency_ms);
   status.add("dropped frames", inputs.dropped_frames);
-  status.add("points received", inputs.clouds_seen);
+  status.add("points received", inputs.first_seen);
   status.add("camera_infos received", inputs.camera_infos_seen);
   status.add("last status", objectness::toString(snapshot.last_status.code));
   status.add("last number of objects", snapshot.last_objects);
+  status.add("last boxes scored", snapshot.last_boxes_scored);
+  for (const auto& [stage, milliseconds] : snapshot.mean_stages_ms) {
+    status.addf("mean " + stage + " [ms]", "%.1f", milliseconds);
+  }
 }
 
 }  // namespace objectness_segmentation

@@ -21,6 +21,23 @@ void FrameStatistics::countOutput(const objectness::Status& status, std::size_t 
   if (status.code != objectness::StatusCode::kInternalError) exception_.clear();
 }
 
+void FrameStatistics::noteStages(const objectness::StageTimes& stages_ms, std::int64_t boxes_scored) {
+  std::lock_guard<std::mutex> lock(mutex_);
+  last_boxes_scored_ = boxes_scored;
+  for (const auto& [stage, milliseconds] : stages_ms) {
+    auto known = std::find_if(stage_sums_ms_.begin(), stage_sums_ms_.end(),
+                              [name = stage](const auto& sum) { return sum.first == name; });
+    if (known == stage_sums_ms_.end()) known = stage_sums_ms_.insert(known, {stage, {0.0, 0}});
+    known->second.first += milliseconds;
+    ++known->second.second;
+  }
+}
+
+void FrameStatistics::noteRemark(const std::string& remark) {
+  std::lock_guard<std::mutex> lock(mutex_);
+  last_remark_ = remark;
+}
+
 void FrameStatistics::noteException(const std::string& what) {
   std::lock_guard<std::mutex> lock(mutex_);
   exception_ = what;
@@ -45,10 +62,14 @@ FrameStatistics::Snapshot FrameStatistics::take() {
   snapshot.seconds_since_input = std::chrono::duration<double>(now - last_input_).count();
   snapshot.last_status = last_status_;
   snapshot.last_objects = last_objects_;
+  snapshot.last_boxes_scored = last_boxes_scored_;
+  snapshot.last_remark = last_remark_;
+  for (const auto& [stage, sum] : stage_sums_ms_) snapshot.mean_stages_ms.emplace_back(stage, sum.first / sum.second);
   snapshot.exception = exception_;
   start_ = now;
   inputs_ = outputs_ = 0;
   latency_sum_ms_ = max_latency_ms_ = 0;
+  stage_sums_ms_.clear();
   return snapshot;
 }
 

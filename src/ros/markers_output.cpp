@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
+#include <string>
 
 #include "geometry_output.hpp"
-#include "objectness_segmentation/common/color_palette.hpp"
+#include "marker_parts.hpp"
 #include "objectness_segmentation/ros/output_conversions.hpp"
 
 namespace objectness_segmentation {
@@ -13,26 +14,6 @@ using visualization_msgs::Marker;
 constexpr double kLineWidth = 0.003;   // metres, thin beside the smallest box of 3 cm
 constexpr double kTextHeight = 0.025;  // metres
 constexpr double kArrowLength = 0.1;   // metres
-
-Marker makeMarker(const std_msgs::Header& header, const char* ns, int id, int type) {
-  Marker marker;
-  marker.header = header;
-  marker.ns = ns;
-  marker.id = id;
-  marker.type = type;
-  marker.action = Marker::ADD;
-  marker.pose.orientation.w = 1;
-  return marker;
-}
-
-std_msgs::ColorRGBA toColor(const objectness::Rgb& rgb) {
-  std_msgs::ColorRGBA color;
-  color.r = rgb.r / 255.0F;
-  color.g = rgb.g / 255.0F;
-  color.b = rgb.b / 255.0F;
-  color.a = 1;
-  return color;
-}
 
 /// The twelve edges of the box, as pairs of points in its own frame.
 void addBoxEdges(const Eigen::Vector3d& size, std::vector<geometry_msgs::Point>& points) {
@@ -50,22 +31,24 @@ void addBoxEdges(const Eigen::Vector3d& size, std::vector<geometry_msgs::Point>&
 
 const objectness::Rgb kWhite{255, 255, 255};
 
-void addObject(const objectness::Segment& segment, int rank, const std_msgs::Header& header,
+void addObject(const objectness::Segment& segment, const objectness::Identity& identity, const std_msgs::Header& header,
                std::vector<Marker>& markers) {
-  Marker box = makeMarker(header, "boxes", rank, Marker::LINE_LIST);
+  const int number = identity.label - objectness::kFirstObjectLabel;
+  Marker box = makeMarker(header, "boxes", number, Marker::LINE_LIST);
   box.pose = toPose(segment.box.T_camera_box);
   box.scale.x = kLineWidth;
-  box.color = toColor(objectness::objectColor(static_cast<std::size_t>(rank)));
+  box.color = toColor(objectness::objectColor(static_cast<std::size_t>(number)));
   addBoxEdges(segment.box.size_m, box.points);
 
-  Marker label = makeMarker(header, "labels", rank, Marker::TEXT_VIEW_FACING);
+  Marker label = makeMarker(header, "labels", number, Marker::TEXT_VIEW_FACING);
   const Eigen::Vector3d above(0, 0, 0.5 * segment.box.size_m.z() + kTextHeight);
   label.pose.position = toPoint(segment.box.T_camera_box * above);
   label.scale.z = kTextHeight;
   label.color = toColor(kWhite);
-  char text[48];
-  std::snprintf(text, sizeof(text), "%d: %.2f", objectness::kFirstObjectLabel + rank, segment.objectness);
+  char text[64];
+  std::snprintf(text, sizeof(text), "%d: %.2f", identity.label, segment.objectness);
   label.text = text;
+  if (identity.id > 0) label.text += " (#" + std::to_string(identity.id) + ")";
 
   markers.push_back(std::move(box));
   markers.push_back(std::move(label));
@@ -100,15 +83,12 @@ void addTable(const objectness::Table& table, const std_msgs::Header& header, st
 
 }  // namespace
 
-visualization_msgs::MarkerArray toMarkers(const objectness::Segmentation& segmentation,
-                                          const std_msgs::Header& header) {
-  visualization_msgs::MarkerArray array;
-  // In the same message as what follows, or the markers flicker.
-  array.markers.push_back(makeMarker(header, "", 0, Marker::CUBE));
-  array.markers.back().action = Marker::DELETEALL;
+visualization_msgs::MarkerArray toMarkers(const SegmentedFrame& result, const std_msgs::Header& header) {
+  const objectness::Segmentation& segmentation = result.segmentation;
+  visualization_msgs::MarkerArray array = emptyMarkers(header);
   if (!segmentation.status.ok()) return array;
   for (std::size_t rank = 0; rank < segmentation.segments.size(); ++rank) {
-    addObject(segmentation.segments[rank], static_cast<int>(rank), header, array.markers);
+    addObject(segmentation.segments[rank], identityOf(result, rank), header, array.markers);
   }
   addTable(segmentation.table, header, array.markers);
   return array;

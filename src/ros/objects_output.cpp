@@ -4,6 +4,7 @@
 #include "cloud_output.hpp"
 #include "geometry_output.hpp"
 #include "objectness_segmentation/ros/output_conversions.hpp"
+#include "table_output.hpp"
 
 namespace objectness_segmentation {
 namespace {
@@ -22,6 +23,8 @@ static_assert(static_cast<int>(StatusCode::kVolumeTooLarge) == SegmentedObjectAr
 static_assert(static_cast<int>(StatusCode::kBadInput) == SegmentedObjectArray::BAD_INPUT);
 static_assert(static_cast<int>(StatusCode::kCancelled) == SegmentedObjectArray::CANCELLED);
 static_assert(static_cast<int>(StatusCode::kInternalError) == SegmentedObjectArray::INTERNAL_ERROR);
+static_assert(static_cast<int>(StatusCode::kNoTransform) == SegmentedObjectArray::NO_TRANSFORM);
+static_assert(static_cast<int>(StatusCode::kNoInput) == SegmentedObjectArray::NO_INPUT);
 static_assert(objectness::kFirstObjectLabel == SegmentedObject::LABEL_FIRST_OBJECT);
 
 std::uint64_t countNamed(const objectness::Report& report, const std::string& name) {
@@ -31,11 +34,16 @@ std::uint64_t countNamed(const objectness::Report& report, const std::string& na
   return 0;
 }
 
-SegmentedObject toObject(const objectness::Segment& segment, std::size_t rank, const objectness::Frame& frame,
-                         const std_msgs::Header& header) {
+SegmentedObject toObject(const SegmentedFrame& result, std::size_t rank, const std_msgs::Header& header) {
+  const objectness::Segment& segment = result.segmentation.segments[rank];
+  const objectness::Identity identity = identityOf(result, rank);
   SegmentedObject object;
   object.header = header;
-  object.label = static_cast<std::uint32_t>(SegmentedObject::LABEL_FIRST_OBJECT + rank);
+  object.label = static_cast<std::uint32_t>(identity.label);
+  object.id = identity.id;
+  object.age_frames = static_cast<std::uint32_t>(identity.age_frames);
+  object.age = static_cast<float>(identity.age_s);
+  object.confidence = static_cast<float>(identity.confidence);
   object.pose = toPose(segment.box.T_camera_box);
   object.dimensions.x = segment.box.size_m.x();
   object.dimensions.y = segment.box.size_m.y();
@@ -47,30 +55,31 @@ SegmentedObject toObject(const objectness::Segment& segment, std::size_t rank, c
   object.free_space = static_cast<float>(segment.cues.free_space);
   object.indices.header = header;
   object.indices.indices.assign(segment.pixels.begin(), segment.pixels.end());
-  object.cloud = extractCloud(frame, segment.pixels, header);
+  object.cloud = extractCloud(result.frame, segment.pixels, header);
   return object;
 }
 
-/// findTable() gives a height over the table; what never ran leaves 0.
-bool hasTable(const objectness::Table& table) { return table.d != 0; }
-
 }  // namespace
 
-SegmentedObjectArray toObjectsMessage(const objectness::Segmentation& segmentation, const objectness::Frame& frame,
-                                      const std_msgs::Header& header) {
+objectness::Identity identityOf(const SegmentedFrame& result, std::size_t rank) {
+  if (rank < result.identities.size()) return result.identities[rank];
+  objectness::Identity by_rank;
+  by_rank.label = objectness::kFirstObjectLabel + static_cast<int>(rank);
+  return by_rank;
+}
+
+SegmentedObjectArray toObjectsMessage(const SegmentedFrame& result, const std_msgs::Header& header) {
+  const objectness::Segmentation& segmentation = result.segmentation;
   SegmentedObjectArray message;
   message.header = header;
   message.status = static_cast<std::uint8_t>(segmentation.status.code);
   message.message = segmentation.status.message;
   message.table.header = header;
-  if (hasTable(segmentation.table)) {
-    const Eigen::Vector3f normal = segmentation.table.normal.cast<float>();
-    message.table.values = {normal.x(), normal.y(), normal.z(), static_cast<float>(segmentation.table.d)};
-  }
+  message.table.values = planeCoefficients(segmentation.table);
   const std::size_t count = segmentation.status.ok() ? segmentation.segments.size() : 0;
   message.objects.reserve(count);
   for (std::size_t rank = 0; rank < count; ++rank) {
-    message.objects.push_back(toObject(segmentation.segments[rank], rank, frame, header));
+    message.objects.push_back(toObject(result, rank, header));
   }
   message.boxes_sampled = countNamed(segmentation.report, "boxes_sampled");
   message.boxes_scored = countNamed(segmentation.report, "boxes_scored");

@@ -1,30 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segment_objects_nodelet.hpp"
 
-#include <algorithm>
+#include <chrono>
+#include <functional>
 #include <pluginlib/class_list_macros.hpp>
 #include <utility>
 
 #include "objectness_segmentation/io/config_yaml.hpp"
 #include "objectness_segmentation/ros/diagnostics.hpp"
-#include "objectness_segmentation/ros/output_messages.hpp"
+#include "objectness_segmentation/ros/output_conversions.hpp"
 #include "objectness_segmentation/ros/params.hpp"
-#include "objectness_segmentation/ros/topics.hpp"
 
 namespace objectness_segmentation {
 namespace {
 
-/// The same kind of problem is said again after this time.
-constexpr std::chrono::seconds kWarningPeriod{10};
-
-/// Parameters in ~ that are no configuration fields: the nodelet's own, and those of what it is built from.
-const std::vector<std::string> kOwnParameters = {"queue_size",        "approximate_sync",   "lazy",
-                                                 "diagnostic_period", "num_worker_threads", "model"};
+using objectness::Status;
+using objectness::StatusCode;
 
 std::string join(const std::vector<std::string>& sentences) {
   std::string text;
   for (const std::string& sentence : sentences) text += (text.empty() ? "" : "; ") + sentence;
   return text;
+}
+
+/// What the objects were chosen among, whichever method it was.
+std::int64_t boxesScored(const objectness::Report& report) {
+  std::int64_t scored = 0;
+  for (const auto& [name, count] : report.counts) {
+    if (name == "boxes_scored") return count;
+    if (name == "hypotheses") scored = count;
+  }
+  return scored;
 }
 
 }  // namespace
@@ -40,40 +46,41 @@ void SegmentObjectsNodelet::onInit() {
 /// Callbacks may come before this returns: everything they use exists before the publishers and subscribers do.
 void SegmentObjectsNodelet::initialize() {
   ros::NodeHandle& private_nh = getPrivateNodeHandle();
-  lazy_ = private_nh.param("lazy", true);
-  const int queue_size = std::max(1, private_nh.param("queue_size", kSynchronizerQueueSize));
-  const bool approximate = private_nh.param("approximate_sync", false);
-
-  ReadParameters parameters = readParameters(private_nh, kOwnParameters);
-  for (const std::string& problem : parameters.problems) NODELET_WARN("%s", problem.c_str());
+  ReadSettings read = readSettings(private_nh);
+  settings_ = std::move(read.settings);
+  ReadParameters parameters = readParameters(private_nh, settingNames());
   config_ = parameters.config;
+  for (const std::string& problem : read.problems) NODELET_WARN("%s", problem.c_str());
+  for (const std::string& problem : parameters.problems) NODELET_WARN("%s", problem.c_str());
   NODELET_DEBUG("configuration:\n%s", objectness::toYaml(config_).c_str());
+  if (!settings_.model.empty()) loadModel(settings_.model);
 
-  std::string model;
-  if (private_nh.hasParam("model") && !private_nh.getParam("model", model)) {
-    NODELET_WARN("parameter %s must be the path of a file: it is not used", private_nh.resolveName("model").c_str());
-  }
-  if (!model.empty()) loadModel(model);
-
-  const auto on_exception = [this](const std::string& what) {
-    statistics_.noteException(what);
-    NODELET_ERROR("exception while publishing: %s", what.c_str());
+  processor_ = std::make_unique<FrameProcessor>(settings_, getNodeHandle());
+  worker_ = std::make_unique<LatestOnlyWorker<Job>>([this](const Job& job) { process(job); },
+                                                    [this](const std::string& what) { noteException(what); });
+  const auto on_jump = [this] {
+    worker_->discardWaiting();
+    processor_->forgetTransforms();
+    NODELET_INFO("time went back: what was of the time before is forgotten");
   };
-  worker_ = std::make_unique<LatestOnlyWorker<InputMessages>>(
-      [this](const InputMessages& messages) { process(messages); }, on_exception);
   inputs_ = std::make_unique<SynchronizedInputs>(
-      getNodeHandle(), queue_size, approximate,
-      [this](const auto& cloud, const auto& camera_info) { handOver(cloud, camera_info); });
+      getNodeHandle(), private_nh, settings_.input,
+      SynchronizedInputs::Callbacks{[this](const InputMessages& messages) { handOver(messages); }, on_jump,
+                                    [this](const std::string& what) { noteException(what); }});
   startReconfigure();
-
-  diagnostics_ = std::make_unique<diagnostic_updater::Updater>(getNodeHandle(), private_nh, getName());
-  diagnostics_->setHardwareID("none");
-  diagnostics_->add("segmentation", this, &SegmentObjectsNodelet::diagnose);
-  // Wall time: simulated time jumps back when a bag loops, and ROS timers then stand still.
-  diagnostics_timer_ = getNodeHandle().createWallTimer(
-      ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { diagnostics_->force_update(); });
-
-  advertise();
+  startDiagnostics();
+  {
+    std::lock_guard<std::mutex> lock(connect_mutex_);
+    publishers_.advertise(private_nh, settings_.latch,
+                          [this](const ros::SingleSubscriberPublisher&) { updateSubscriptions(); });
+  }
+  const auto missing = [this] {
+    const InputState state = inputState();
+    return state.frames > 0 ? std::string("frames come, but is the time-out longer than one takes?")
+                            : missingInput(state);
+  };
+  service_ = std::make_unique<SegmentService>(
+      private_nh, desk_, settings_.service_timeout_s, [this] { updateSubscriptions(); }, missing);
   updateSubscriptions();
 }
 
@@ -84,8 +91,7 @@ void SegmentObjectsNodelet::loadModel(const std::string& path) {
     model_ = std::move(loaded.value);
     return;
   }
-  model_status_ =
-      objectness::Status::error(objectness::StatusCode::kBadConfig, "~model " + path + ": " + loaded.status.message);
+  model_status_ = Status::error(StatusCode::kBadConfig, "~model " + path + ": " + loaded.status.message);
   NODELET_ERROR("no frame will be segmented: %s", model_status_.message.c_str());
 }
 
@@ -97,20 +103,19 @@ void SegmentObjectsNodelet::startReconfigure() {
       [this](ObjectnessSegmentationConfig& requested, std::uint32_t) { reconfigure(requested); });
 }
 
-void SegmentObjectsNodelet::advertise() {
-  std::lock_guard<std::mutex> lock(connect_mutex_);
-  const ros::SubscriberStatusCallback changed = [this](const ros::SingleSubscriberPublisher&) {
-    updateSubscriptions();
-  };
-  ros::NodeHandle& nh = getPrivateNodeHandle();
-  objects_ = nh.advertise<SegmentedObjectArray>(topics::kObjects, kPublisherQueueSize, changed, changed);
-  segments_ = nh.advertise<sensor_msgs::PointCloud2>(topics::kSegments, kPublisherQueueSize, changed, changed);
-  markers_ = nh.advertise<visualization_msgs::MarkerArray>(topics::kMarkers, kPublisherQueueSize, changed, changed);
+void SegmentObjectsNodelet::startDiagnostics() {
+  diagnostics_ = std::make_unique<diagnostic_updater::Updater>(getNodeHandle(), getPrivateNodeHandle(), getName());
+  diagnostics_->setHardwareID("none");
+  diagnostics_->add("segmentation", this, &SegmentObjectsNodelet::diagnose);
+  // Wall time: simulated time jumps back when a bag loops, and ROS timers then stand still.
+  diagnostics_timer_ = getNodeHandle().createWallTimer(
+      ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { diagnostics_->force_update(); });
 }
 
 SegmentObjectsNodelet::~SegmentObjectsNodelet() {
-  // No more input, then no more changes, then no more work; what the worker publishes to dies last.
+  // Nobody waits any more; then no more input, no more changes, no more work; what the worker publishes to dies last.
   diagnostics_timer_.stop();
+  if (service_) service_->stop();
   {
     std::lock_guard<std::mutex> lock(connect_mutex_);
     inputs_.reset();
@@ -119,12 +124,16 @@ SegmentObjectsNodelet::~SegmentObjectsNodelet() {
   if (worker_) worker_->stop();
 }
 
+void SegmentObjectsNodelet::noteException(const std::string& what) {
+  statistics_.noteException(what);
+  if (problems_.isDue(what)) NODELET_ERROR("exception: %s", what.c_str());
+}
+
 void SegmentObjectsNodelet::updateSubscriptions() {
   try {
     std::lock_guard<std::mutex> lock(connect_mutex_);
     if (!inputs_) return;
-    const bool wanted =
-        !lazy_ || objects_.getNumSubscribers() + segments_.getNumSubscribers() + markers_.getNumSubscribers() > 0;
+    const bool wanted = !settings_.lazy || desk_.pending() || publishers_.haveSubscribers();
     if (wanted && !inputs_->subscribed()) {
       statistics_.resetInputAge();
       inputs_->subscribe();
@@ -137,10 +146,9 @@ void SegmentObjectsNodelet::updateSubscriptions() {
   }
 }
 
-void SegmentObjectsNodelet::handOver(const sensor_msgs::PointCloud2ConstPtr& cloud,
-                                     const sensor_msgs::CameraInfoConstPtr& camera_info) {
+void SegmentObjectsNodelet::handOver(const InputMessages& messages) {
   statistics_.countInput();
-  worker_->submit({cloud, camera_info});
+  worker_->submit({messages, desk_.ticketFor(messages.header().stamp.toSec(), ros::Time::now().toSec())});
 }
 
 void SegmentObjectsNodelet::reconfigure(ObjectnessSegmentationConfig& requested) {
@@ -158,52 +166,65 @@ void SegmentObjectsNodelet::reconfigure(ObjectnessSegmentationConfig& requested)
   accepted_ = requested;
 }
 
-void SegmentObjectsNodelet::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
-  InputState state;
-  {
-    std::lock_guard<std::mutex> lock(connect_mutex_);
-    if (!inputs_) return;
-    state = {inputs_->subscribed(), inputs_->cloudsSeen(), inputs_->cameraInfosSeen(), worker_->dropped()};
-  }
-  describe(statistics_.take(), state, status);
-  if (!model_status_.ok()) status.summary(diagnostic_msgs::DiagnosticStatus::ERROR, model_status_.message);
+InputState SegmentObjectsNodelet::inputState() {
+  std::lock_guard<std::mutex> lock(connect_mutex_);
+  InputState state = inputs_ ? inputs_->state() : InputState();
+  state.dropped_frames = worker_->dropped();
+  return state;
 }
 
-void SegmentObjectsNodelet::process(const InputMessages& messages) {
+void SegmentObjectsNodelet::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  describe(statistics_.take(), inputState(), status);
+  if (!model_status_.ok()) status.summary(diagnostic_msgs::DiagnosticStatus::ERROR, model_status_.message);
+  std::string yaml;
+  {
+    std::lock_guard<std::mutex> lock(config_mutex_);
+    yaml = objectness::toYaml(config_);
+  }
+  status.addf("configuration", "%016zx", std::hash<std::string>()(yaml));
+}
+
+void SegmentObjectsNodelet::process(const Job& job) {
   const auto start = std::chrono::steady_clock::now();
   objectness::Config config;
   {
     std::lock_guard<std::mutex> lock(config_mutex_);
     config = config_;
   }
-  SegmentedFrame result;
-  result.segmentation.status = model_status_;
-  if (model_status_.ok()) result = segmentMessages(messages, config, model_, &worker_->stopFlag());
-  if (worker_->stopFlag()) return;
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-
-  const objectness::Status& status = result.segmentation.status;
-  if (status.code == objectness::StatusCode::kInternalError) statistics_.noteException(status.message);
-  statistics_.countOutput(status, result.segmentation.segments.size(), 1e3 * elapsed.count());
-  warnThrottled(status);
-  publish(result, messages.cloud->header, elapsed.count());
+  const std_msgs::Header& header = job.messages.header();
+  try {
+    ProcessedFrame frame;
+    frame.result = failedFrame(model_status_);
+    if (model_status_.ok()) frame = processor_->process(job.messages, config, model_, worker_->stopFlag());
+    if (worker_->stopFlag()) return;
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    report(frame.result, 1e3 * elapsed.count());
+    const SegmentedObjectArrayConstPtr objects = publishers_.publish(
+        frame, header, settings_.target_frame, config, {elapsed.count(), worker_->dropped()}, desk_.wants(job.ticket));
+    if (objects) desk_.answer(job.ticket, objects);
+  } catch (const std::exception& e) {
+    if (desk_.wants(job.ticket)) {
+      const SegmentedFrame failure = failedFrame(Status::error(StatusCode::kInternalError, e.what()));
+      desk_.answer(job.ticket, boost::make_shared<SegmentedObjectArray>(toObjectsMessage(failure, header)));
+    }
+    throw;
+  }
 }
 
-void SegmentObjectsNodelet::publish(const SegmentedFrame& result, const std_msgs::Header& header, double seconds) {
-  const OutputMessages outputs(result, header, {seconds, worker_->dropped()});
-  if (objects_.getNumSubscribers() > 0) objects_.publish(outputs.objects());
-  if (segments_.getNumSubscribers() > 0) segments_.publish(outputs.segments());
-  if (markers_.getNumSubscribers() > 0) markers_.publish(outputs.markers());
-}
-
-/// Not NODELET_WARN_THROTTLE: that one counts for all nodelets of a manager together, and in ROS time.
-void SegmentObjectsNodelet::warnThrottled(const objectness::Status& status) {
-  if (status.ok()) return;
-  const auto now = std::chrono::steady_clock::now();
-  const auto [last, first_time] = last_warnings_.emplace(status.code, now);
-  if (!first_time && now - last->second < kWarningPeriod) return;
-  last->second = now;
-  NODELET_WARN("frame not segmented (%s): %s", objectness::toString(status.code), status.message.c_str());
+/// What becomes of a frame, for the diagnostics and the log.
+void SegmentObjectsNodelet::report(const SegmentedFrame& result, double milliseconds) {
+  const objectness::Segmentation& segmentation = result.segmentation;
+  const Status& status = segmentation.status;
+  if (status.code == StatusCode::kInternalError) statistics_.noteException(status.message);
+  statistics_.noteStages(segmentation.report.timings_ms, boxesScored(segmentation.report));
+  statistics_.noteRemark(join(result.remarks));
+  statistics_.countOutput(status, segmentation.segments.size(), milliseconds);
+  if (!status.ok() && problems_.isDue(status.message)) {
+    NODELET_WARN("frame not segmented (%s): %s", objectness::toString(status.code), status.message.c_str());
+  }
+  for (const std::string& remark : result.remarks) {
+    if (problems_.isDue(remark)) NODELET_WARN("%s", remark.c_str());
+  }
 }
 
 }  // namespace objectness_segmentation

@@ -5,24 +5,29 @@
 #include <dynamic_reconfigure/server.h>
 #include <nodelet/nodelet.h>
 #include <objectness_segmentation/ObjectnessSegmentationConfig.h>
+#include <objectness_segmentation/SegmentOnce.h>
 
 #include <boost/thread/recursive_mutex.hpp>
-#include <chrono>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 
+#include "frame_processor.hpp"
+#include "node_settings.hpp"
 #include "objectness_segmentation/ros/frame_statistics.hpp"
 #include "objectness_segmentation/ros/latest_only_worker.hpp"
-#include "objectness_segmentation/ros/segment_messages.hpp"
+#include "objectness_segmentation/ros/request_desk.hpp"
 #include "objectness_segmentation/ros/synchronized_inputs.hpp"
+#include "result_publishers.hpp"
+#include "segment_service.hpp"
+#include "throttled_problems.hpp"
 
 namespace objectness_segmentation {
 
-/// Segments the newest cloud. ROS callbacks, all on the nodelet's single-threaded queue, only hand frames over; one
-/// worker thread converts, segments and publishes. Topics and parameters are described in the README.
+/// Segments the newest frame. ROS callbacks, all on the nodelet's single-threaded queue, only hand frames over; one
+/// worker thread converts, segments and publishes; the service waits in a thread of its own. Topics and parameters are
+/// described in the README.
 class SegmentObjectsNodelet : public nodelet::Nodelet {
  public:
   ~SegmentObjectsNodelet() override;
@@ -30,24 +35,31 @@ class SegmentObjectsNodelet : public nodelet::Nodelet {
  private:
   using ReconfigureServer = dynamic_reconfigure::Server<ObjectnessSegmentationConfig>;
 
+  struct Job {
+    InputMessages messages;
+    SegmentService::Ticket ticket = 0;  ///< requests that it answers
+  };
+
   void onInit() override;
   void initialize();
   void loadModel(const std::string& path);
   void startReconfigure();
-  void advertise();
+  void startDiagnostics();
 
-  // On the callback queue.
+  // On the callback queue, the first one also from the service's thread.
   void updateSubscriptions();
-  void handOver(const sensor_msgs::PointCloud2ConstPtr& cloud, const sensor_msgs::CameraInfoConstPtr& camera_info);
+  void handOver(const InputMessages& messages);
   void reconfigure(ObjectnessSegmentationConfig& requested);
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   // In the worker's thread.
-  void process(const InputMessages& messages);
-  void publish(const SegmentedFrame& result, const std_msgs::Header& header, double seconds);
-  void warnThrottled(const objectness::Status& status);
+  void process(const Job& job);
+  void report(const SegmentedFrame& result, double milliseconds);
 
-  bool lazy_ = true;
+  void noteException(const std::string& what);
+  InputState inputState();
+
+  NodeSettings settings_;
   std::optional<objectness::LearnedObjectness> model_;  // of ~model, none: the built-in one; from the start the same
   objectness::Status model_status_;                     // not ok: no frame is segmented, each is answered with it
 
@@ -56,12 +68,16 @@ class SegmentObjectsNodelet : public nodelet::Nodelet {
   ObjectnessSegmentationConfig accepted_;  // the same values, for the reconfigure server; its callback only
 
   FrameStatistics statistics_;
-  std::map<objectness::StatusCode, std::chrono::steady_clock::time_point> last_warnings_;  // worker only
+  ThrottledProblems problems_;
 
-  std::mutex connect_mutex_;  // held while publishers and inputs_ come, go or are looked at by updateSubscriptions()
-  ros::Publisher objects_, segments_, markers_;
-  std::unique_ptr<LatestOnlyWorker<InputMessages>> worker_;
+  SegmentService::Desk desk_;  // requests of the service
+
+  std::mutex connect_mutex_;  // held while publishers_ and inputs_ come, go or are looked at by updateSubscriptions()
+  ResultPublishers publishers_;
+  std::unique_ptr<FrameProcessor> processor_;
+  std::unique_ptr<LatestOnlyWorker<Job>> worker_;
   std::unique_ptr<SynchronizedInputs> inputs_;
+  std::unique_ptr<SegmentService> service_;
   boost::recursive_mutex reconfigure_mutex_;
   std::unique_ptr<ReconfigureServer> reconfigure_server_;
   std::unique_ptr<diagnostic_updater::Updater> diagnostics_;

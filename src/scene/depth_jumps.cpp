@@ -2,56 +2,83 @@
 #include "depth_jumps.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <opencv2/imgproc.hpp>
+
+#include "depth_jump_kernel.hpp"
+#include "objectness_segmentation/common/row_bands.hpp"
 
 namespace objectness {
+namespace {
 
-std::vector<unsigned char> findDepthJumps(const Frame& frame, const NormalsConfig& config, const DepthNoise& noise) {
+void copyDepths(const Frame& frame, int v, float* z) {
+  const Eigen::Vector3f* points = frame.points.data() + std::size_t(v) * frame.width();
+  for (int u = 0; u < frame.width(); ++u) z[u] = points[u].z();
+}
+
+/// An image with a margin of 255 to either side of its rows, for spreadDistance().
+class DistanceRows {
+ public:
+  DistanceRows(int width, int height)
+      : stride_(width + 2 * kDistanceMargin),
+        bytes_(std::size_t(stride_) * (height + 1), uchar(255)),
+        height_(height) {}
+  uchar* row(int v) { return bytes_.data() + std::size_t(v) * stride_ + kDistanceMargin; }
+  uchar* scratch() { return row(height_); }
+
+ private:
+  int stride_;
+  std::vector<uchar> bytes_;
+  int height_;
+};
+
+}  // namespace
+
+std::vector<unsigned char> findDepthJumps(const Frame& frame, const NormalsConfig& config, const DepthNoise& noise,
+                                          int threads) {
   const int width = frame.width(), height = frame.height();
-  const float slope = static_cast<float>(config.jump_slope / frame.camera.focal());
-  const float sigma_constant = static_cast<float>(config.jump_sigmas * noise.constant_m);
-  const float sigma_quadratic = static_cast<float>(config.jump_sigmas * noise.quadratic_per_m);
-  const auto apart = [&](float a, float b) {
-    const float z = std::min(a, b);
-    // Negated, so that a NaN on either side counts as a jump.
-    return !(std::abs(a - b) <= std::max(sigma_constant + sigma_quadratic * z * z, slope * z));
-  };
-  std::vector<unsigned char> jump(static_cast<std::size_t>(frame.size()), 0);
-  for (int v = 0, i = 0; v < height; ++v) {
-    for (int u = 0; u < width; ++u, ++i) {
-      const float z = frame.points[i].z();
-      if (u + 1 < width && apart(z, frame.points[i + 1].z())) jump[i] |= kJumpRight;
-      if (v + 1 < height && apart(z, frame.points[i + width].z())) jump[i] |= kJumpDown;
+  const JumpLimits limits{static_cast<float>(config.jump_sigmas * noise.constant_m),
+                          static_cast<float>(config.jump_sigmas * noise.quadratic_per_m),
+                          static_cast<float>(config.jump_slope / frame.camera.focal())};
+  std::vector<unsigned char> jump(static_cast<std::size_t>(frame.size()));
+  forRowBands(height, threads, [&](int first, int last) {
+    std::vector<float> z(width), below(width);
+    copyDepths(frame, first, z.data());
+    for (int v = first; v < last; ++v) {
+      const bool has_below = v + 1 < height;
+      if (has_below) copyDepths(frame, v + 1, below.data());
+      findJumpsInRow(z.data(), has_below ? below.data() : nullptr, width, limits, jump.data() + std::size_t(v) * width);
+      std::swap(z, below);
     }
-  }
+  });
   return jump;
 }
 
-cv::Mat_<uchar> clearRadius(const Frame& frame, const std::vector<unsigned char>& jump) {
+cv::Mat_<uchar> clearRadius(const Frame& frame, const std::vector<unsigned char>& jump, int threads) {
   const int width = frame.width(), height = frame.height();
+  std::vector<uchar> valid(static_cast<std::size_t>(frame.size()));
+  forRowBands(height, threads, [&](int first, int last) {
+    for (int i = first * width; i < last * width; ++i) valid[i] = frame.points[i].z() > 0 ? 255 : 0;
+  });
+
   // 0 = a window may not reach beyond this pixel: it lies beside a jump, beside (8-neighbours) a hole, or at the border
   // (so there always is a 0 to measure the distance from).
-  cv::Mat_<uchar> valid(height, width);
-  for (int i = 0; i < frame.size(); ++i) valid(i / width, i % width) = frame.points[i].z() > 0 ? 255 : 0;
-  cv::Mat_<uchar> clear;
-  cv::erode(valid, clear, cv::Mat(), cv::Point(-1, -1), 1, cv::BORDER_CONSTANT, cv::Scalar(0));
-  for (int v = 0, i = 0; v < height; ++v) {
-    for (int u = 0; u < width; ++u, ++i) {
-      if (jump[i] & kJumpRight) clear(v, u) = clear(v, u + 1) = 0;
-      if (jump[i] & kJumpDown) clear(v, u) = clear(v + 1, u) = 0;
-      if (u + 1 == width || v + 1 == height) continue;
-      // Diagonal neighbours are apart when both ways around the block are cut.
-      const bool top = jump[i] & kJumpRight, bottom = jump[i + width] & kJumpRight;
-      const bool left = jump[i] & kJumpDown, right = jump[i + 1] & kJumpDown;
-      if ((top || right) && (left || bottom)) clear(v, u) = clear(v + 1, u + 1) = 0;
-      if ((top || left) && (right || bottom)) clear(v, u + 1) = clear(v + 1, u) = 0;
-    }
+  DistanceRows distance(width, height);
+  const std::vector<uchar> outside(width, 0);
+  const auto rowOf = [&](int v) -> ClearRow {
+    if (v < 0 || v >= height) return {outside.data(), outside.data()};
+    return {valid.data() + std::size_t(v) * width, jump.data() + std::size_t(v) * width};
+  };
+  forRowBands(height, threads, [&](int first, int last) {
+    for (int v = first; v < last; ++v) findClearInRow(rowOf(v - 1), rowOf(v), rowOf(v + 1), width, distance.row(v));
+  });
+
+  for (int v = 0; v < height; ++v) {
+    spreadDistance(v > 0 ? distance.row(v - 1) : nullptr, width, distance.row(v), distance.scratch());
   }
-  cv::Mat distance;
-  cv::distanceTransform(clear, distance, cv::DIST_C, 3, CV_32F);
-  cv::Mat_<uchar> radius;
-  distance.convertTo(radius, CV_8U);
+  for (int v = height - 2; v >= 0; --v) {
+    spreadDistance(distance.row(v + 1), width, distance.row(v), distance.scratch());
+  }
+  cv::Mat_<uchar> radius(height, width);
+  for (int v = 0; v < height; ++v) std::copy_n(distance.row(v), width, radius.ptr(v));
   return radius;
 }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
+#include <mutex>
 
 #include "objectness_segmentation/common/parallel.hpp"
 #include "objectness_segmentation/integral/cue_volumes.hpp"
@@ -26,57 +28,133 @@ Status checkSize(const Grid& grid) {
   return Status::error(StatusCode::kVolumeTooLarge, message);
 }
 
-/// What one angle after the other works in.
+/// What the angles of a frame are searched in: each thread takes one that is free.
 struct AngleMemory {
   VoxelMarker::Scratch scratch;
   CueVoxels voxels;
   CueVolumes volumes;
 };
+class FreeMemory {
+ public:
+  std::unique_ptr<AngleMemory> take() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (free_.empty()) return std::make_unique<AngleMemory>();
+    std::unique_ptr<AngleMemory> memory = std::move(free_.back());
+    free_.pop_back();
+    return memory;
+  }
+  void put(std::unique_ptr<AngleMemory> memory) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    free_.push_back(std::move(memory));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<AngleMemory>> free_;
+};
+
+double highestObjectness(const ObjectnessConfig& o) {
+  return std::max(o.weight_edges, 0.0) * o.max_edge_density + std::max(o.weight_outer, 0.0) + o.constant;
+}
+
+/// One angle after the other, on several threads.
+class AngleSearch {
+ public:
+  AngleSearch(const VoxelMarker& marker, const Table& table, const std::vector<Grid>& grids,
+              const SearchSettings& settings, const std::atomic<bool>* cancel)
+      : marker_(marker), table_(table), grids_(grids), settings_(settings), cancel_(cancel) {
+    const double voxel_m = settings.volume.voxel_m;
+    task_ = {samplingOf(settings.search, voxel_m), ringOf(settings.objectness, voxel_m), settings.objectness, 0, nullptr};
+  }
+
+  bool cancelled() const { return cancel_ && *cancel_; }
+
+  /// All boxes that reach the threshold and, with `running`, what that rises to.
+  std::vector<SearchResult> run(double threshold, RunningThreshold* running) {
+    task_.threshold = threshold;
+    task_.running = running;
+    std::vector<SearchResult> results(grids_.size());
+    parallelFor(static_cast<int>(grids_.size()), settings_.threads, [&](int angle) {
+      if (cancelled()) return;
+      std::unique_ptr<AngleMemory> memory = memory_.take();
+      marker_.mark(grids_[angle], memory->scratch, memory->voxels);
+      integrate(memory->voxels, table_, task_.ring.z, memory->volumes);
+      results[angle] = searchBounded(memory->volumes, angle, task_);
+      memory_.put(std::move(memory));
+    });
+    return results;
+  }
+
+ private:
+  const VoxelMarker& marker_;
+  const Table& table_;
+  const std::vector<Grid>& grids_;
+  const SearchSettings& settings_;
+  const std::atomic<bool>* cancel_;
+  SearchTask task_;
+  FreeMemory memory_;
+};
+
+/// The boxes of all angles in one list, best first.
+void gather(std::vector<SearchResult>& results, std::size_t most_per_angle, SearchOutcome& outcome) {
+  for (SearchResult& result : results) {
+    outcome.sampled += result.sampled;
+    outcome.scored += result.scored;
+    outcome.nodes += result.nodes;
+    outcome.passed += static_cast<std::int64_t>(result.boxes.size());
+    if (outcome.unbounded.empty()) outcome.unbounded = result.unbounded;
+    if (result.boxes.size() > most_per_angle) result.boxes.resize(most_per_angle);
+    outcome.boxes.insert(outcome.boxes.end(), result.boxes.begin(), result.boxes.end());
+  }
+  sortBestFirst(outcome.boxes);
+}
+
+std::size_t countBoxesOf(const std::vector<SearchResult>& results) {
+  std::size_t boxes = 0;
+  for (const SearchResult& result : results) boxes += result.boxes.size();
+  return boxes;
+}
 
 }  // namespace
 
 SearchOutcome searchAllAngles(const Frame& frame, const Table& table, const CuePoints& points,
                               const SearchSettings& settings, const std::atomic<bool>* cancel) {
   SearchOutcome outcome;
-  const SearchTask task{samplingOf(settings.search, settings.volume.voxel_m),
-                        ringOf(settings.objectness, settings.volume.voxel_m), settings.objectness, settings.threshold};
+  outcome.threshold = settings.threshold;
+  const Sampling sampling = samplingOf(settings.search, settings.volume.voxel_m);
   // A margin of one step on either side: a box can then enclose what lies at the border tightly, in every phase of the
   // steps.
-  const int margin = std::max({task.sampling.corner_step, task.sampling.size_step_xy, task.sampling.min_size});
+  const int margin = std::max({sampling.corner_step, sampling.size_step_xy, sampling.min_size});
   VoxelMarker marker(points, settings.volume);
   for (const double angle : sampledAngles(settings.search)) {
-    outcome.grids.push_back(marker.gridAt(angle, margin, task.sampling.min_size, task.sampling.max_size));
+    outcome.grids.push_back(marker.gridAt(angle, margin, sampling.min_size, sampling.max_size));
     outcome.status = checkSize(outcome.grids.back());
     if (!outcome.status.ok()) return outcome;
   }
   if (points.points.empty()) return outcome;
-
   marker.prepare(frame, table, outcome.grids, settings.threads);
-  const int angles = static_cast<int>(outcome.grids.size());
-  std::vector<SearchResult> results(angles);
-  std::vector<std::int64_t> passed(angles, 0);
-  parallelFor(angles, settings.threads, [&](int angle) {
-    if (cancel && *cancel) return;
-    thread_local AngleMemory memory;
-    marker.mark(outcome.grids[angle], memory.scratch, memory.voxels);
-    integrate(memory.voxels, table, task.ring.z, memory.volumes);
-    results[angle] = searchBounded(memory.volumes, angle, task);
-    passed[angle] = static_cast<std::int64_t>(results[angle].boxes.size());
-    const std::size_t most = settings.search.max_boxes_per_angle;
-    if (results[angle].boxes.size() > most) results[angle].boxes.resize(most);
-  });
-  if (cancel && *cancel) outcome.status = Status::error(StatusCode::kCancelled, "cancelled while searching boxes");
 
-  for (int angle = 0; angle < angles; ++angle) {
-    const SearchResult& result = results[angle];
-    outcome.boxes.insert(outcome.boxes.end(), result.boxes.begin(), result.boxes.end());
-    outcome.sampled += result.sampled;
-    outcome.scored += result.scored;
-    outcome.nodes += result.nodes;
-    if (outcome.unbounded.empty()) outcome.unbounded = result.unbounded;
-    outcome.passed += passed[angle];
+  AngleSearch search(marker, table, outcome.grids, settings, cancel);
+  const std::size_t top_k = settings.search.top_k;
+  std::vector<SearchResult> results;
+  if (top_k == 0) {
+    results = search.run(settings.threshold, nullptr);
+  } else {
+    const auto best = [&](double start) {
+      RunningThreshold running(settings.search.top_k, start, highestObjectness(settings.objectness));
+      results = search.run(start, &running);
+    };
+    const double start = std::max(settings.threshold, settings.search.top_k_start);
+    best(start);
+    if (countBoxesOf(results) < top_k && start > settings.threshold) best(settings.threshold);
   }
-  sortBestFirst(outcome.boxes);
+  if (search.cancelled()) outcome.status = Status::error(StatusCode::kCancelled, "cancelled while searching boxes");
+
+  gather(results, settings.search.max_boxes_per_angle, outcome);
+  if (top_k > 0 && outcome.boxes.size() >= top_k) {
+    outcome.boxes.resize(top_k);
+    outcome.threshold = outcome.boxes.back().objectness;
+  }
   return outcome;
 }
 

@@ -54,6 +54,7 @@ class BoundedSearch {
   void visit(BoxRanges node, int depth) {
     if (!node.x.tighten(s_) || !node.y.tighten(s_)) return;
     ++result_.nodes;
+    if (task_.running != nullptr) bound_.raiseThreshold(task_.running->value());
     node.heights = bound_.possible(node, depth);
     if (node.heights.first > node.heights.last) return;
     if (node.single()) {
@@ -73,7 +74,11 @@ class BoundedSearch {
   void score(const BoxRanges& node) {
     const int x0 = node.x.from.low, x1 = node.x.to.low, y0 = node.y.from.low, y1 = node.y.to.low;
     if ((x1 - x0 - s_.min_size) % s_.size_step_xy != 0 || (y1 - y0 - s_.min_size) % s_.size_step_xy != 0) return;
-    result_.scored += scorer_.score(x0, x1, y0, y1, node.heights, task_.threshold, result_.boxes);
+    const double threshold = task_.running ? std::max(task_.threshold, task_.running->value()) : task_.threshold;
+    const std::size_t before = result_.boxes.size();
+    result_.scored += scorer_.score(x0, x1, y0, y1, node.heights, threshold, result_.boxes);
+    if (task_.running == nullptr) return;
+    for (std::size_t i = before; i < result_.boxes.size(); ++i) task_.running->add(result_.boxes[i].objectness);
   }
 
   /// The face to divide and the last position of its lower half: where most edge voxels depend on it, in their middle.

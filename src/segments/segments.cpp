@@ -2,29 +2,46 @@
 #include "objectness_segmentation/segments/segments.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "objectness_segmentation/segments/geodesic_assignment.hpp"
 
 namespace objectness {
 namespace {
 
-bool holds(const SelectedBox& selected, const Eigen::Vector3f& p_table, double margin_voxels) {
+/// The points in a box, by index.
+std::vector<int> pointsIn(const SelectedBox& selected, const std::vector<Eigen::Vector3f>& points,
+                          double margin_voxels) {
   const Box& b = selected.scored.box;
-  const Eigen::Vector3d q = selected.grid.toGrid(p_table.cast<double>());
-  return q.x() >= b.x0 - margin_voxels && q.x() < b.x1 + margin_voxels && q.y() >= b.y0 - margin_voxels &&
-         q.y() < b.y1 + margin_voxels && q.z() < b.height + margin_voxels;
+  const Grid& grid = selected.grid;
+  // Most points lie nowhere near: a circle around the box tells.
+  const Eigen::Vector2f centre =
+      grid.toTable({0.5 * (b.x0 + b.x1), 0.5 * (b.y0 + b.y1), 0}).head<2>().cast<float>();
+  const double half_diagonal = 0.5 * std::hypot(b.sizeX(), b.sizeY()) + std::sqrt(2.0) * margin_voxels;
+  const float reach = static_cast<float>((half_diagonal + 0.1) * grid.voxel_m);
+  std::vector<int> inside;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const float dx = points[i].x() - centre.x(), dy = points[i].y() - centre.y();
+    if (dx * dx + dy * dy > reach * reach) continue;
+    const Eigen::Vector3d q = grid.toGrid(points[i].cast<double>());
+    if (q.x() >= b.x0 - margin_voxels && q.x() < b.x1 + margin_voxels && q.y() >= b.y0 - margin_voxels &&
+        q.y() < b.y1 + margin_voxels && q.z() < b.height + margin_voxels) {
+      inside.push_back(static_cast<int>(i));
+    }
+  }
+  return inside;
 }
 
-/// For each superpixel the box that holds most of its points, -1 where no box holds enough. in_box[k][i]: point i in
-/// box k.
-std::vector<int> followedBoxes(const CuePoints& points, const std::vector<std::vector<bool>>& in_box,
+/// For each superpixel the box that holds most of its points, -1 where no box holds enough. in_box: per box the points
+/// in it.
+std::vector<int> followedBoxes(const CuePoints& points, const std::vector<std::vector<int>>& in_box,
                                double min_share) {
   std::vector<int> size(points.superpixels + 1, 0), best(points.superpixels + 1, -1),
       best_count(points.superpixels + 1, 0);
   for (const int label : points.labels) ++size[label];
   for (std::size_t k = 0; k < in_box.size(); ++k) {
     std::vector<int> count(points.superpixels + 1, 0);
-    for (std::size_t i = 0; i < points.points.size(); ++i) count[points.labels[i]] += in_box[k][i];
+    for (const int i : in_box[k]) ++count[points.labels[i]];
     for (int s = 1; s <= points.superpixels; ++s) {
       if (count[s] <= best_count[s] || count[s] < min_share * size[s]) continue;
       best[s] = static_cast<int>(k);
@@ -46,15 +63,15 @@ OrientedBox orientedBox(const Box& box, const Grid& grid, const Eigen::Isometry3
 std::vector<Segment> cutSegments(const Frame& frame, const Eigen::Isometry3d& T_table_camera, const CuePoints& points,
                                  const std::vector<SelectedBox>& boxes, double margin_m, const SegmentsConfig& config) {
   const std::size_t count = points.points.size();
-  std::vector<std::vector<bool>> in_box(boxes.size(), std::vector<bool>(count));
+  std::vector<std::vector<int>> in_box(boxes.size());
   cv::Mat_<int> owner(frame.height(), frame.width(), -1);
   const auto ownerOf = [&](std::size_t i) -> int& {
     return owner(points.pixels[i] / frame.width(), points.pixels[i] % frame.width());
   };
   for (std::size_t k = 0; k < boxes.size(); ++k) {
-    for (std::size_t i = 0; i < count; ++i) {
-      in_box[k][i] = holds(boxes[k], points.points[i], margin_m / boxes[k].grid.voxel_m);
-      if (in_box[k][i] && ownerOf(i) < 0) ownerOf(i) = static_cast<int>(k);
+    in_box[k] = pointsIn(boxes[k], points.points, margin_m / boxes[k].grid.voxel_m);
+    for (const int i : in_box[k]) {
+      if (ownerOf(i) < 0) ownerOf(i) = static_cast<int>(k);
     }
   }
   if (config.follow_superpixels) {

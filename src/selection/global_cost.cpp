@@ -1,32 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/selection/global_cost.hpp"
 
+#include <map>
+
+#include "cost_change.hpp"
+
 namespace objectness {
 
 GlobalCost::GlobalCost(const CostProblem& problem, const SelectionConfig& config)
     : problem_(problem), config_(config), points_(problem.weights.size()), active_(problem.hypotheses.size(), false) {}
 
-double GlobalCost::weightOf(const PointState& state) const {
-  if (state.holders > 1) return config_.weight_multiple * state.holders;
-  if (state.holders == 1) return -config_.weight_objectness * problem_.hypotheses[state.holders_sum].objectness;
-  return config_.weight_unexplained * state.neighbours;
-}
-
 double GlobalCost::flipDelta(int i) const {
   const CostHypothesis& h = problem_.hypotheses[i];
-  const int step = active_[i] ? -1 : 1;
-  double delta = step * config_.lambda * h.free_space;
+  CostChange change;
+  change.step = active_[i] ? -1 : 1;
+  std::map<int, long> owned;  // change of the points that are in this box alone
+  const auto count = [&](const PointState& state, long weight) {
+    if (state.holders > 1) change.multiple += weight * state.holders;
+    if (state.holders == 1) owned[static_cast<int>(state.holders_sum)] += weight;
+    if (state.holders == 0) change.unexplained += weight * state.neighbours;
+  };
   for (const int p : h.inside) {
     PointState state = points_[p];
-    const double before = weightOf(state);
-    state.holders += step;
-    state.holders_sum += step * i;
-    delta += problem_.weights[p] * (weightOf(state) - before);
+    count(state, -problem_.weights[p]);
+    state.holders += change.step;
+    state.holders_sum += change.step * i;
+    count(state, problem_.weights[p]);
   }
   for (const int p : h.surroundings) {
-    if (points_[p].holders == 0) delta += step * config_.weight_unexplained * problem_.weights[p];
+    if (points_[p].holders == 0) change.unexplained += change.step * problem_.weights[p];
   }
-  return delta;
+  for (const auto& [box, points] : owned) {
+    change.objectness += problem_.hypotheses[box].objectness * static_cast<double>(points);
+  }
+  return costOf(change, h.free_space, config_);
 }
 
 double GlobalCost::flip(int i) {

@@ -1,26 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/selection/global_selection.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <random>
-
+#include "annealer.hpp"
 #include "objectness_segmentation/selection/point_overlap.hpp"
 
 namespace objectness {
 namespace {
-
-/// Random numbers that are the same with every standard library: the distributions of <random> are not.
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  int below(int count) { return static_cast<int>(static_cast<std::uint64_t>(engine_()) * count >> 32); }
-  double unit() { return engine_() * (1.0 / 4294967296.0); }
-
- private:
-  std::mt19937 engine_;
-};
 
 /// For each hypothesis the others that hold one of its points.
 std::vector<std::vector<int>> findRivals(const CostProblem& problem) {
@@ -40,118 +25,46 @@ std::vector<std::vector<int>> findRivals(const CostProblem& problem) {
   return rivals;
 }
 
-/// Runs the annealing and remembers the best selection ever met.
-class Annealer {
+/// The cost counted point by point, and every move tried every time: the definition of the result.
+class PlainCost {
  public:
-  Annealer(const CostProblem& problem, const SelectionConfig& config, unsigned seed)
-      : config_(config), cost_(problem, config), rivals_(findRivals(problem)), random_(seed) {
-    best_.active = cost_.active();
-  }
+  PlainCost(const CostProblem& problem, const SelectionConfig& config)
+      : counted_(problem, config), rivals_(findRivals(problem)) {}
 
-  Selection run() {
-    const int n = cost_.size();
-    if (n == 0) return best_;
-    const double end = std::min(config_.end_temperature, config_.start_temperature);
-    const double cooling =
-        config_.iterations > 1 ? std::pow(end / config_.start_temperature, 1.0 / (config_.iterations - 1)) : 1.0;
-    double temperature = config_.start_temperature;
-    for (int step = 0; step < config_.iterations; ++step, temperature *= cooling) {
-      const int i = random_.below(n), j = random_.below(n), kind = random_.below(4);
-      if (kind == 0 && cost_.active()[i] != cost_.active()[j]) {
-        attempt({i, j}, temperature);
-      } else if (kind == 1 && !cost_.active()[i]) {
-        attempt(takeover(i), temperature);
-      } else {
-        attempt({i}, temperature);
-      }
-    }
-    descend();
-    return best_;
-  }
-
- private:
-  /// The flips that activate i in the place of all active boxes that hold points of it. One by one, a box that is
-  /// better than the two that share its object would first have to be paid for twice.
-  std::vector<int> takeover(int i) const {
-    std::vector<int> flips = {i};
-    for (const int rival : rivals_[i]) {
-      if (cost_.active()[rival]) flips.push_back(rival);
-    }
-    return flips;
-  }
-
-  double apply(const std::vector<int>& flips) {
-    double delta = 0;
-    for (const int i : flips) delta += cost_.flip(i);
+  double cost() const { return cost_; }
+  const std::vector<bool>& active() const { return counted_.active(); }
+  int size() const { return counted_.size(); }
+  double flipDelta(int i) const { return counted_.flipDelta(i); }
+  double flip(int i) {
+    const double delta = counted_.flip(i);
+    cost_ += delta;
     return delta;
   }
-
-  /// Does the flips if the temperature lets them pass.
-  bool attempt(const std::vector<int>& flips, double temperature) {
-    const double delta = flips.size() == 1 ? cost_.flipDelta(flips[0]) : apply(flips);
-    const bool accepted = delta <= 0 || (temperature > 0 && random_.unit() < std::exp(-delta / temperature));
-    if (accepted == (flips.size() == 1)) apply(flips);
-    if (accepted) remember();
-    return accepted;
+  void undo(const std::vector<int>& flips, double cost) {
+    for (const int i : flips) counted_.flip(i);
+    cost_ = cost;
   }
-
-  void remember() {
-    // The margin keeps rounding of the running sum from calling the same selection better.
-    if (cost_.cost() < best_.cost - kRounding) best_ = {cost_.active(), cost_.cost()};
-  }
-
-  /// Does the flips if they gain.
-  bool improve(const std::vector<int>& flips) {
-    if (apply(flips) < -kRounding) return true;
-    apply(flips);
-    return false;
-  }
-
-  /// Leaves the active i for the rival that gains most, if one does.
-  bool improveBySwap(int i) {
-    const double first = cost_.flip(i);
-    int partner = i;
-    double lowest = -kRounding;
-    for (const int j : rivals_[i]) {
-      if (cost_.active()[j]) continue;
-      const double delta = first + cost_.flipDelta(j);
-      if (delta >= lowest) continue;
-      lowest = delta;
-      partner = j;
+  std::vector<int> rivals(int i, bool active) const {
+    std::vector<int> found;
+    for (const int rival : rivals_[i]) {
+      if (counted_.active()[rival] == active) found.push_back(rival);
     }
-    cost_.flip(partner);
-    return partner != i;
+    return found;
   }
+  bool settled(int) const { return false; }
+  void settle(int) {}
+  void changed(const std::vector<int>&) {}
 
-  /// From the best selection down to where no flip, takeover or swap gains.
-  void descend() {
-    const int n = cost_.size();
-    for (int i = 0; i < n; ++i) {
-      if (cost_.active()[i] != best_.active[i]) cost_.flip(i);
-    }
-    for (bool improved = true; improved;) {
-      improved = false;
-      for (int i = 0; i < n; ++i) {
-        improved |= improve({i});
-        improved |= cost_.active()[i] ? improveBySwap(i) : improve(takeover(i));
-      }
-    }
-    remember();
-  }
-
-  static constexpr double kRounding = 1e-9;
-
-  const SelectionConfig config_;
-  GlobalCost cost_;
+ private:
+  GlobalCost counted_;
   const std::vector<std::vector<int>> rivals_;
-  Random random_;
-  Selection best_;
+  double cost_ = 0;  // its own: undone flips leave no rounding in it
 };
 
 }  // namespace
 
 Selection selectHypotheses(const CostProblem& problem, const SelectionConfig& config, unsigned seed) {
-  return Annealer(problem, config, seed).run();
+  return Annealer<PlainCost>(problem, config, seed).run();
 }
 
 }  // namespace objectness

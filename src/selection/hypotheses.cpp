@@ -6,6 +6,7 @@
 
 #include "objectness_segmentation/common/parallel.hpp"
 #include "objectness_segmentation/selection/scene_points.hpp"
+#include "suppression.hpp"
 
 namespace objectness {
 
@@ -15,29 +16,27 @@ Hypotheses filterByObjectness(const std::vector<ScoredBox>& boxes, const std::ve
   Hypotheses result;
   if (boxes.empty()) return result;
   const double top_m = grids.front().nz * grids.front().voxel_m;
-  const std::vector<Eigen::Vector3f> scene = thinPoints(points, selection.point_spacing_m, top_m);
+  const std::vector<Eigen::Vector3f> scene = inBitOrder(thinPoints(points, selection.point_spacing_m, top_m));
+  const PointLayout layout(static_cast<int>(scene.size()));
+  result.problem.layout = layout;
 
-  std::vector<std::optional<PointOverlap>> built(grids.size());
+  std::vector<std::optional<BoxPoints>> built(grids.size());
   parallelFor(static_cast<int>(grids.size()), threads,
-              [&](int angle) { built[angle].emplace(scene, grids[angle], filter.box_margin_m); });
-  std::vector<PointOverlap> overlaps;
-  for (auto& overlap : built) overlaps.push_back(std::move(*overlap));
+              [&](int angle) { built[angle].emplace(scene, layout, grids[angle], filter.box_margin_m); });
+  std::vector<BoxPoints> points_of;
+  for (auto& one : built) points_of.push_back(std::move(*one));
 
-  std::vector<CostHypothesis> hypotheses;
   const int ring = static_cast<int>(std::lround(selection.ring_m / grids.front().voxel_m));
-  for (const BoxHypothesis& kept : filterBoxes(boxes, grids, overlaps, filter)) {
+  for (SurvivingBox& kept : suppressBoxes(boxes, grids, points_of, layout, filter)) {
     const ScoredBox& scored = kept.scored;
-    CostHypothesis hypothesis;
-    hypothesis.objectness = scored.objectness;
-    hypothesis.free_space = selection.free_space_in_voxels ? scored.cues.free_voxels : scored.cues.free_space;
-    hypothesis.inside = listPoints(kept.points);
-    PointSet beside = overlaps[scored.box.angle].inside(scored.box, ring, ring);
-    for (std::size_t i = 0; i < beside.size(); ++i) beside[i] &= ~kept.points[i];
-    hypothesis.surroundings = listPoints(beside);
+    PointBits beside{0, std::vector<std::uint64_t>(layout.words(), 0)};
+    points_of[scored.box.angle].inside(scored.box, ring, ring, beside);
+    for (std::size_t i = 0; i < beside.words.size(); ++i) beside.words[i] &= ~kept.points.words[i];
     result.boxes.push_back(scored);
-    hypotheses.push_back(std::move(hypothesis));
+    result.problem.hypotheses.push_back({scored.objectness,
+                                         selection.free_space_in_voxels ? scored.cues.free_voxels : scored.cues.free_space,
+                                         std::move(kept.points), std::move(beside)});
   }
-  result.problem = mergeAlikePoints(hypotheses, static_cast<int>(scene.size()));
   return result;
 }
 

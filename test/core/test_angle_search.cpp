@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
+#include <functional>
 
 #include "fixtures/cue_scene.hpp"
+#include "fixtures/random_volumes.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "objectness_segmentation/integral/cue_volumes.hpp"
 #include "objectness_segmentation/io/scene_folder.hpp"
@@ -77,6 +80,54 @@ TEST(AngleSearch, FindsEveryBoxOfThePlainLoopInASimulatedScene) {
   SearchSettings other = settingsOf(0.7, 1);
   other.objectness.weight_edges = 0.8, other.objectness.weight_outer = 0.3, other.objectness.weight_free = -0.02;
   expectEveryBox(scene, other, 3);
+}
+
+TEST(AngleSearch, TheTopKAreTheFirstOfAll) {
+  const CueScene scene = simulatedCueScene();
+  SearchSettings settings = settingsOf(0.8, 2);
+  const SearchOutcome all = searchAllAngles(scene.frame, scene.table, scene.points, settings, nullptr);
+  ASSERT_GT(all.boxes.size(), 3000u);
+  EXPECT_EQ(all.threshold, 0.8);
+  for (const int k : {1, 10, 500, 2000, static_cast<int>(all.boxes.size()) + 1}) {
+    const std::size_t count = std::min<std::size_t>(k, all.boxes.size());
+    const std::vector<ScoredBox> first(all.boxes.begin(), all.boxes.begin() + count);
+    settings.search.top_k = k;
+    // Starts: as low as it can, where the last of them is, somewhat over it, over all boxes.
+    for (const double start : {-10.0, static_cast<double>(first.back().objectness), first.back().objectness + 0.01, 9.0}) {
+      for (const int threads : {1, 2}) {
+        settings.search.top_k_start = start;
+        settings.threads = threads;
+        const SearchOutcome top = searchAllAngles(scene.frame, scene.table, scene.points, settings, nullptr);
+        ASSERT_NO_FATAL_FAILURE(expectSameBoxes(top.boxes, first)) << k << " from " << start << ", " << threads;
+        EXPECT_EQ(top.threshold, count == all.boxes.size() ? 0.8 : first.back().objectness);
+        EXPECT_LE(top.nodes, 2 * all.nodes);
+      }
+    }
+  }
+  settings.search.top_k = 500;
+  settings.search.top_k_start = all.boxes[499].objectness;
+  const SearchOutcome warm = searchAllAngles(scene.frame, scene.table, scene.points, settings, nullptr);
+  EXPECT_LT(warm.nodes, 0.8 * all.nodes) << "what the frame before knew must save work";
+}
+
+TEST(RunningThreshold, NoneOfTheKBestIsBelowIt) {
+  Dice dice(7);
+  for (const int k : {1, 5, 100}) {
+    RunningThreshold running(k, 0.8, 1.5);
+    std::vector<float> added;
+    for (int i = 0; i < 3000; ++i) {
+      added.push_back(static_cast<float>(0.8 + 0.7 * dice.unit() * dice.unit()));
+      running.add(added.back());
+      if (static_cast<int>(added.size()) < k) {
+        ASSERT_EQ(running.value(), 0.8);
+        continue;
+      }
+      std::vector<float> sorted = added;
+      std::nth_element(sorted.begin(), sorted.begin() + k - 1, sorted.end(), std::greater<float>());
+      ASSERT_LE(running.value(), sorted[k - 1]);
+    }
+    EXPECT_GT(running.value(), 1.0) << "it must have risen";
+  }
 }
 
 /// On real scenes: the very boxes and scores of the plain nested loop over every box, tight and wide, for several

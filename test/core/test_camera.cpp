@@ -39,6 +39,16 @@ TEST(Camera, NamesWhatIsWrong) {
   expectBad(camera, "size");
 }
 
+TEST(Camera, RefusesImagesThatFillTheMemoryAndFocalLengthsThatOverflow) {
+  EXPECT_TRUE(validate(PinholeCamera{3000, 3000, 2047.5, 1535.5, 4096, 3072}).ok());
+  EXPECT_NE(validate(PinholeCamera{3000, 3000, 8191.5, 8191.5, 16384, 16384}).message.find("pixels in all"),
+            std::string::npos);
+  for (const double focal : {1e-310, 0.1, 1e9}) {
+    EXPECT_EQ(validate(PinholeCamera{focal, 525, 319.5, 239.5, 640, 480}).code, StatusCode::kBadCamera) << focal;
+    EXPECT_EQ(validate(PinholeCamera{525, focal, 319.5, 239.5, 640, 480}).code, StatusCode::kBadCamera) << focal;
+  }
+}
+
 TEST(Camera, ProjectIsTheInverseOfRay) {
   const PinholeCamera camera{600, 610, 300, 250, 640, 480};
   const Eigen::Vector2d pixel = camera.project(camera.ray(12, 345) * 0.7);

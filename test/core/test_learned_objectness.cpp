@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <set>
+#include <tuple>
 
 #include "fixtures/temporary_folder.hpp"
 #include "objectness_segmentation/grouping/group_cues.hpp"
@@ -58,6 +59,25 @@ TEST(LearnedObjectness, TheDefaultModelIsOfThisVersionsCues) {
         if (node.cue >= 0) continue;
         EXPECT_GE(node.value, 0);
         EXPECT_LE(node.value, 1);
+      }
+    }
+  }
+}
+
+TEST(LearnedObjectness, TheDefaultModelIsTheFileInCfg) {
+  const Result<LearnedObjectness> file = loadModel(REPOSITORY_DIR "/cfg/objectness_model.json");
+  ASSERT_TRUE(file.ok()) << file.status.message;
+  const LearnedObjectness& built_in = defaultModel();
+  EXPECT_EQ(built_in.trained_on, file.value.trained_on);
+  for (const auto part : {&LearnedObjectness::contact, &LearnedObjectness::gap, &LearnedObjectness::group}) {
+    const auto &own = (built_in.*part).trees, &expected = (file.value.*part).trees;
+    ASSERT_EQ(own.size(), expected.size());
+    for (std::size_t t = 0; t < own.size(); ++t) {
+      ASSERT_EQ(own[t].size(), expected[t].size());
+      for (std::size_t i = 0; i < own[t].size(); ++i) {
+        const Forest::Node &a = own[t][i], &b = expected[t][i];
+        EXPECT_EQ(std::tie(a.cue, a.threshold, a.left, a.right, a.value),
+                  std::tie(b.cue, b.threshold, b.left, b.right, b.value));
       }
     }
   }

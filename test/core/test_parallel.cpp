@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
-#include <numeric>
+#include <chrono>
+#include <filesystem>
+#include <mutex>
+#include <set>
 #include <stdexcept>
+#include <thread>
+#include <vector>
 
 #include "objectness_segmentation/common/parallel.hpp"
 
@@ -28,4 +34,72 @@ TEST(ParallelFor, RethrowsAndJoins) {
                            }),
                std::runtime_error);
   EXPECT_GE(calls, 4);
+}
+
+namespace {
+
+int threadsOfThisProcess() {
+  int threads = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/task")) threads += entry.is_directory();
+  return threads;
+}
+
+}  // namespace
+
+TEST(ThreadPool, OneJobAfterTheOtherOnTheSameThreads) {
+  const int before = threadsOfThisProcess();
+  {
+    ThreadPool pool(4);
+    EXPECT_EQ(threadsOfThisProcess(), before + 3);
+    EXPECT_EQ(ThreadPool::current(), &pool);
+    for (int job = 0; job < 2000; ++job) {
+      std::vector<int> calls(job % 40, 0);
+      parallelFor(static_cast<int>(calls.size()), 1 + job % 6, [&](int i) { ++calls[i]; });
+      ASSERT_EQ(std::count(calls.begin(), calls.end(), 1), static_cast<long>(calls.size())) << "job " << job;
+    }
+    EXPECT_EQ(threadsOfThisProcess(), before + 3) << "no thread of its own for any of the jobs";
+  }
+  EXPECT_EQ(ThreadPool::current(), nullptr);
+  // A thread that was joined may be listed for a moment longer.
+  for (int wait = 0; wait < 1000 && threadsOfThisProcess() != before; ++wait) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_EQ(threadsOfThisProcess(), before) << "no thread is left behind";
+}
+
+TEST(ThreadPool, UsesNoMoreThreadsThanAsked) {
+  ThreadPool pool(4);
+  std::mutex mutex;
+  std::set<std::thread::id> seen;
+  for (int job = 0; job < 50; ++job) {
+    parallelFor(64, 2, [&](int) {
+      const std::lock_guard<std::mutex> lock(mutex);
+      seen.insert(std::this_thread::get_id());
+    });
+    ASSERT_LE(seen.size(), 2u);
+    seen.clear();
+  }
+}
+
+TEST(ThreadPool, CallsWithinCallsAreDoneAlone) {
+  ThreadPool pool(3);
+  std::vector<int> calls(12 * 7, 0);
+  parallelFor(12, 3, [&](int i) {
+    const std::thread::id mine = std::this_thread::get_id();
+    parallelFor(7, 3, [&](int k) {
+      EXPECT_EQ(std::this_thread::get_id(), mine);
+      ++calls[i * 7 + k];
+    });
+  });
+  EXPECT_EQ(std::count(calls.begin(), calls.end(), 1), 12 * 7);
+}
+
+TEST(ThreadPool, AnExceptionLeavesThePoolUsable) {
+  ThreadPool pool(3);
+  for (int round = 0; round < 20; ++round) {
+    EXPECT_THROW(parallelFor(100, 3, [](int i) { if (i == 50) throw std::runtime_error("fifty"); }), std::runtime_error);
+    std::atomic<int> calls{0};
+    parallelFor(100, 3, [&](int) { ++calls; });
+    EXPECT_EQ(calls, 100);
+  }
 }

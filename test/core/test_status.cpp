@@ -10,7 +10,7 @@ using objectness::StatusCode;
 
 TEST(Status, EveryCodeHasItsOwnName) {
   std::set<std::string> names;
-  const int last = static_cast<int>(StatusCode::kInternalError);
+  const int last = static_cast<int>(StatusCode::kNoInput);
   for (int code = 0; code <= last; ++code) names.insert(objectness::toString(static_cast<StatusCode>(code)));
   EXPECT_EQ(names.size(), static_cast<std::size_t>(last + 1));
   EXPECT_EQ(names.count("unknown"), 0u);

@@ -13,6 +13,8 @@
 #include <array>
 #include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "fixtures/ray_cast.hpp"
 #include "fixtures/ros_messages.hpp"
@@ -65,24 +67,33 @@ class Listener {
   boost::shared_ptr<const Message> newest_;
 };
 
-/// A second nodelet of the kind in the manager; its topics lie below /second. model: its ~model.
+/// A second nodelet of the kind in the manager; its topics lie below /second.
 class SecondNodelet {
  public:
-  SecondNodelet(const std::string& points, const std::string& camera_info, const std::string& model = "") {
-    ros::param::set("/second/model", model);
+  using Names = std::vector<std::pair<std::string, std::string>>;
+
+  /// Parameters that tests set before: below /second.
+  explicit SecondNodelet(const Names& remappings) {
     nodelet::NodeletLoad load;
     load.request.name = "/second";
     load.request.type = "objectness_segmentation/SegmentObjects";
-    load.request.remap_source_args = {"points", "camera_info"};
-    load.request.remap_target_args = {points, camera_info};
+    for (const auto& [from, to] : remappings) {
+      load.request.remap_source_args.push_back(from);
+      load.request.remap_target_args.push_back(to);
+    }
     loaded_ = ros::service::call("/manager/load_nodelet", load) && load.response.success;
   }
+  SecondNodelet(const std::string& points, const std::string& camera_info, const std::string& model = "")
+      : SecondNodelet(withModel(points, camera_info, model)) {}
   ~SecondNodelet() {
     if (loaded_) {
       EXPECT_TRUE(unload());
     }
     ros::param::del("/second");
   }
+  SecondNodelet(const SecondNodelet&) = delete;
+  SecondNodelet& operator=(const SecondNodelet&) = delete;
+
   bool loaded() const { return loaded_; }
   bool unload() {
     nodelet::NodeletUnload unload;
@@ -92,6 +103,11 @@ class SecondNodelet {
   }
 
  private:
+  static Names withModel(const std::string& points, const std::string& camera_info, const std::string& model) {
+    ros::param::set("/second/model", model);
+    return {{"points", points}, {"camera_info", camera_info}};
+  }
+
   bool loaded_ = false;
 };
 

@@ -2,6 +2,7 @@
 #include <diagnostic_msgs/DiagnosticStatus.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <string>
 
 #include "objectness_segmentation/ros/diagnostics.hpp"
@@ -57,10 +58,52 @@ TEST(Diagnostics, NameWhatIsMissing) {
   EXPECT_EQ(describeWith(snapshot, inputs).level, DiagnosticStatus::OK);
   snapshot.seconds_since_input = 60;
   EXPECT_EQ(describeWith(snapshot, inputs).level, DiagnosticStatus::WARN);
-  inputs.clouds_seen = 5;
+  inputs.first_seen = 5;
   EXPECT_NE(describeWith(snapshot, inputs).message.find("camera_info"), std::string::npos);
   inputs.camera_infos_seen = 5;
-  EXPECT_NE(describeWith(snapshot, inputs).message.find("approximate_sync"), std::string::npos);
+  inputs.first_stamp = ros::Time(12.5);
+  inputs.camera_stamp = ros::Time(12.25);
+  const std::string unpaired = describeWith(snapshot, inputs).message;
+  EXPECT_NE(unpaired.find("approximate_sync"), std::string::npos) << unpaired;
+  for (const char* number : {"12.500 s", "12.250 s", "0.250 s apart"}) {
+    EXPECT_NE(unpaired.find(number), std::string::npos) << unpaired;
+  }
+  inputs.frames = 1;
+  EXPECT_NE(describeWith(snapshot, inputs).message.find("no more frames"), std::string::npos);
+}
+
+TEST(Diagnostics, SayWhichTopicHasNoPublisher) {
+  FrameStatistics::Snapshot snapshot;
+  snapshot.seconds_since_input = 60;
+  InputState inputs;
+  inputs.subscribed = true;
+  inputs.first_topic = "/camera/points";
+  inputs.camera_topic = "/camera/camera_info";
+  inputs.camera_publishers = 1;
+  const std::string message = describeWith(snapshot, inputs).message;
+  EXPECT_NE(message.find("/camera/points, which nobody publishes"), std::string::npos) << message;
+  EXPECT_EQ(message.find("/camera/camera_info, which"), std::string::npos) << message;
+}
+
+TEST(Diagnostics, HoldRemarksStagesAndBoxes) {
+  FrameStatistics statistics;
+  statistics.noteStages({{"normals", 10}, {"table", 4}}, 20);
+  statistics.noteRemark("the rgb image is too small");
+  statistics.countOutput({}, 1, 14);
+  statistics.noteStages({{"normals", 20}, {"table", 6}, {"selection", 1}}, 30);
+  statistics.countOutput({}, 1, 27);
+  InputState inputs;
+  inputs.subscribed = true;
+  const DiagnosticStatus status = describeWith(statistics.take(), inputs);
+  EXPECT_EQ(status.level, DiagnosticStatus::WARN);
+  EXPECT_EQ(status.message, "the rgb image is too small");
+  std::map<std::string, std::string> values;
+  for (const auto& value : status.values) values[value.key] = value.value;
+  EXPECT_EQ(values["mean normals [ms]"], "15.0");
+  EXPECT_EQ(values["mean table [ms]"], "5.0");
+  EXPECT_EQ(values["mean selection [ms]"], "1.0");
+  EXPECT_EQ(values["last boxes scored"], "30");
+  EXPECT_TRUE(statistics.take().mean_stages_ms.empty());
 }
 
 TEST(Diagnostics, TellAFailedFrameFromAnException) {

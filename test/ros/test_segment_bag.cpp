@@ -91,9 +91,9 @@ TEST_F(SegmentBag, WritesWhatTheNodeletPublishes) {
     const SegmentedFrame result = segmentMessages({clouds[i], cameras[i]}, settings_.config, {}, nullptr);
     const std_msgs::Header& header = clouds[i]->header;
     EXPECT_EQ(result.segmentation.segments.size(), 2u);
-    EXPECT_EQ(serialized(*objects[i]), serialized(toObjectsMessage(result.segmentation, result.frame, header)));
-    EXPECT_EQ(serialized(*segments[i]), serialized(toSegmentsCloud(result.segmentation, result.frame, header)));
-    EXPECT_EQ(serialized(*markers[i]), serialized(toMarkers(result.segmentation, header)));
+    EXPECT_EQ(serialized(*objects[i]), serialized(toObjectsMessage(result, header)));
+    EXPECT_EQ(serialized(*segments[i]), serialized(toSegmentsCloud(result, header)));
+    EXPECT_EQ(serialized(*markers[i]), serialized(toMarkers(result, header)));
     EXPECT_EQ(frames_[i].number, i + 1);
     EXPECT_EQ(frames_[i].stamp, header.stamp);
     EXPECT_EQ(frames_[i].objects, 2u);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <exception>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,7 +19,10 @@ class StageTimer {
       : times_(times), stage_(std::move(stage)), start_(std::chrono::steady_clock::now()) {}
   ~StageTimer() {
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start_;
-    times_.emplace_back(std::move(stage_), elapsed.count());
+    try {
+      times_.emplace_back(std::move(stage_), elapsed.count());
+    } catch (const std::exception&) {  // out of memory: the time is lost, the process is not
+    }
   }
   StageTimer(const StageTimer&) = delete;
   StageTimer& operator=(const StageTimer&) = delete;

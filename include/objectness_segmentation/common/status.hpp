@@ -18,7 +18,9 @@ enum class StatusCode {
   kVolumeTooLarge,  ///< the volume of interest would not fit in memory at this voxel size
   kBadInput,        ///< a file or message that cannot be read
   kCancelled,       ///< the caller asked to stop in mid-frame
-  kInternalError    ///< an exception was caught at the border of the core
+  kInternalError,   ///< an exception was caught at the border of the core
+  kNoTransform,     ///< ROS: where the camera was is not known (tf)
+  kNoInput          ///< ROS: no frame came in the time that was given
 };
 
 /// "ok", "not_organized", ...

@@ -4,17 +4,16 @@
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
 
 #include "objectness_segmentation/ros/frame_statistics.hpp"
+#include "objectness_segmentation/ros/input_state.hpp"
 
 namespace objectness_segmentation {
 
-struct InputState {
-  bool subscribed = false;
-  std::size_t clouds_seen = 0, camera_infos_seen = 0;
-  std::uint32_t dropped_frames = 0;
-};
-
-/// ERROR after an exception; WARN when input is awaited but does not come, or the last frame could not be segmented.
+/// ERROR after an exception; WARN when input is awaited but does not come or cannot be paired, when the last frame
+/// could not be segmented, or when something about it is to be put right.
 void describe(const FrameStatistics::Snapshot& snapshot, const InputState& inputs,
               diagnostic_updater::DiagnosticStatusWrapper& status);
+
+/// What keeps frames from coming, and what to do about it.
+std::string missingInput(const InputState& inputs);
 
 }  // namespace objectness_segmentation

@@ -5,7 +5,10 @@
 #include <cstdint>
 #include <mutex>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "objectness_segmentation/common/stage_timer.hpp"
 #include "objectness_segmentation/common/status.hpp"
 
 namespace objectness_segmentation {
@@ -21,6 +24,9 @@ class FrameStatistics {
     double seconds_since_input = 0;                  ///< since the last frame, or since resetInputAge()
     objectness::Status last_status;
     std::size_t last_objects = 0;
+    std::int64_t last_boxes_scored = 0;     ///< boxes or groups that the objects were chosen among
+    std::string last_remark;                ///< what was wrong with the last input, but not in the way
+    objectness::StageTimes mean_stages_ms;  ///< of the frames with results, in the order they ran
     std::string exception;  ///< of the last frame that ended with one; empty once a frame succeeded after it
   };
 
@@ -28,6 +34,9 @@ class FrameStatistics {
 
   void countInput();
   void countOutput(const objectness::Status& status, std::size_t objects, double latency_ms);
+  /// Of the frame that is counted next.
+  void noteStages(const objectness::StageTimes& stages_ms, std::int64_t boxes_scored);
+  void noteRemark(const std::string& remark);
   void noteException(const std::string& what);
   /// Input is expected from now on.
   void resetInputAge();
@@ -44,6 +53,9 @@ class FrameStatistics {
   double latency_sum_ms_ = 0, max_latency_ms_ = 0;
   objectness::Status last_status_;
   std::size_t last_objects_ = 0;
+  std::int64_t last_boxes_scored_ = 0;
+  std::string last_remark_;
+  std::vector<std::pair<std::string, std::pair<double, int>>> stage_sums_ms_;  // sum and number of each
   std::string exception_;
 };
 

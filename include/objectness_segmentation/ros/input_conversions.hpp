@@ -2,6 +2,7 @@
 #pragma once
 
 #include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/Image.h>
 #include <sensor_msgs/PointCloud2.h>
 
 #include "objectness_segmentation/scene/frame.hpp"
@@ -16,5 +17,12 @@ objectness::Result<objectness::RawCloud> toRawCloud(const sensor_msgs::PointClou
 /// The rectified camera of the images that carry this message: P, or K when P is not set; binning and region of
 /// interest applied, as in image_geometry. kBadCamera: not calibrated (zeros), not finite, or without a size.
 objectness::Result<objectness::PinholeCamera> toPinholeCamera(const sensor_msgs::CameraInfo& message);
+
+/// A depth image of its own memory, REP 118: CV_16UC1 (millimetres, 0 = invalid) or CV_32FC1 (metres; NaN, infinite or
+/// <= 0 = invalid). kBadInput: another encoding, empty, step and data size that contradict each other.
+objectness::Result<cv::Mat> toDepthImage(const sensor_msgs::Image& message);
+
+/// A picture as CV_8UC3 (BGR), of whatever encoding cv_bridge can convert. kBadInput otherwise.
+objectness::Result<cv::Mat> toColorImage(const sensor_msgs::Image& message);
 
 }  // namespace objectness_segmentation

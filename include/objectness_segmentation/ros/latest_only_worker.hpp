@@ -43,6 +43,14 @@ class LatestOnlyWorker {
     wake_.notify_one();
   }
 
+  /// Forgets the waiting job, which counts as dropped.
+  void discardWaiting() {
+    std::optional<Job> discarded;
+    std::lock_guard<std::mutex> lock(mutex_);
+    if (waiting_) ++dropped_;
+    discarded.swap(waiting_);
+  }
+
   /// Lets the running job end, forgets the waiting one and joins the thread. May be called again.
   void stop() {
     {

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/Image.h>
 #include <sensor_msgs/PointCloud2.h>
 
 #include <atomic>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "objectness_segmentation/config.hpp"
 #include "objectness_segmentation/learning/learned_objectness.hpp"
@@ -13,15 +16,23 @@
 
 namespace objectness_segmentation {
 
-/// What came in together.
+/// What came in together: a cloud, or a depth image and perhaps a picture.
 struct InputMessages {
   sensor_msgs::PointCloud2ConstPtr cloud;
-  sensor_msgs::CameraInfoConstPtr camera_info;
+  sensor_msgs::CameraInfoConstPtr camera_info;  ///< may be null beside an organized cloud: recovered from its grid
+  sensor_msgs::ImageConstPtr depth = nullptr;   ///< where there is no cloud
+  sensor_msgs::ImageConstPtr color = nullptr;   ///< of the depth image's camera, or null
+
+  /// Of what the result is about.
+  const std_msgs::Header& header() const { return cloud ? cloud->header : depth->header; }
 };
 
 struct SegmentedFrame {
   objectness::Frame frame;  ///< empty when the messages are no frame
   objectness::Segmentation segmentation;
+  std::vector<objectness::Identity> identities;  ///< of the segments; empty: by rank
+  std::vector<std::string> remarks;              ///< what is wrong with the input without being in the way
+  double conversion_ms = 0;                      ///< time from messages to frame
 };
 
 /// From messages to a result: conversion, frame, core. Does not throw: what goes wrong, down to an exception of the
@@ -29,5 +40,8 @@ struct SegmentedFrame {
 SegmentedFrame segmentMessages(const InputMessages& messages, const objectness::Config& config,
                                const std::optional<objectness::LearnedObjectness>& model,
                                const std::atomic<bool>* cancel);
+
+/// A result without frame that says why.
+SegmentedFrame failedFrame(objectness::Status status);
 
 }  // namespace objectness_segmentation

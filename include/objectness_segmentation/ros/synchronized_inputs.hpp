@@ -1,57 +1,94 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <message_filters/subscriber.h>
-#include <message_filters/sync_policies/approximate_time.h>
-#include <message_filters/sync_policies/exact_time.h>
-#include <message_filters/synchronizer.h>
+#include <image_transport/image_transport.h>
 #include <ros/node_handle.h>
-#include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/PointCloud2.h>
 
-#include <atomic>
+#include <chrono>
+#include <deque>
 #include <functional>
 #include <memory>
+#include <mutex>
+#include <string>
+
+#include "objectness_segmentation/ros/input_state.hpp"
+#include "objectness_segmentation/ros/segment_messages.hpp"
 
 namespace objectness_segmentation {
 
-/// Pairs of cloud and camera_info with the same stamp (or, when approximate, the nearest ones).
+template <class First>
+class StampPairs;
+
+struct InputSettings {
+  bool depth = false;  ///< depth images (and rgb, when there is any), not clouds
+  bool approximate = false;
+  int queue_size = 5;
+};
+
+/// Subscribes to what a depth camera publishes and hands on what belongs together: cloud or depth image, with the
+/// camera_info of the same stamp (or, when approximate, the nearest one). Clouds go on alone when no camera_info at all
+/// has come for a while after the first cloud. The picture that is nearest in time to a depth image goes with it when
+/// there is one. A stamp that goes back, as when a bag begins again, makes everything that waits for its partner void.
 class SynchronizedInputs {
  public:
-  using Callback = std::function<void(const sensor_msgs::PointCloud2ConstPtr&, const sensor_msgs::CameraInfoConstPtr&)>;
+  struct Callbacks {
+    std::function<void(const InputMessages&)> frame;
+    std::function<void()> jump;  ///< time went back; before anything of the new time is handed on
+    std::function<void(const std::string& what)> exception;  ///< what a message brought about: it is lost, no more
+  };
 
   /// Subscribes to nothing yet. Callbacks come through nh's queue, none after unsubscribe() has returned there.
-  SynchronizedInputs(const ros::NodeHandle& nh, int queue_size, bool approximate, Callback callback);
+  SynchronizedInputs(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh, const InputSettings& settings,
+                     Callbacks callbacks);
   ~SynchronizedInputs();
 
   void subscribe();
   void unsubscribe();
   bool subscribed() const { return subscribed_; }
 
-  /// Messages that came in on each topic since the last subscribe(), paired or not: tells which input is missing.
-  std::size_t cloudsSeen() const { return clouds_seen_; }
-  std::size_t cameraInfosSeen() const { return camera_infos_seen_; }
+  /// What came in since the last subscribe().
+  InputState state() const;
 
  private:
-  using Cloud = sensor_msgs::PointCloud2;
-  using Camera = sensor_msgs::CameraInfo;
-  using Exact = message_filters::sync_policies::ExactTime<Cloud, Camera>;
-  using Approximate = message_filters::sync_policies::ApproximateTime<Cloud, Camera>;
+  using Clock = std::chrono::steady_clock;
 
-  void forward(const sensor_msgs::PointCloud2ConstPtr& cloud, const sensor_msgs::CameraInfoConstPtr& camera);
-  void countCloud(const sensor_msgs::PointCloud2ConstPtr&) { ++clouds_seen_; }
-  void countCamera(const sensor_msgs::CameraInfoConstPtr&) { ++camera_infos_seen_; }
+  void receiveCloud(const sensor_msgs::PointCloud2ConstPtr& cloud);
+  void receiveDepth(const sensor_msgs::ImageConstPtr& depth);
+  void receiveCamera(const sensor_msgs::CameraInfoConstPtr& camera);
+  void receiveColor(const sensor_msgs::ImageConstPtr& color);
+  template <class TakeIn>
+  void guarded(const TakeIn& take_in);
+  void hand(const InputMessages& messages);
+  bool noteFirst(const ros::Time& stamp);
+  struct TopicTime {
+    ros::Time newest;
+    int epoch = 0;  ///< jumps back in time that it has gone through
+    int stale = 0;  ///< messages of the time before, taken in since the other topic's jump
+  };
+  void noticeJump(const ros::Time& stamp, TopicTime& topic, TopicTime& other);
+  void forgetPairs();
+  void addCamera(const sensor_msgs::CameraInfoConstPtr& camera);
+  sensor_msgs::ImageConstPtr nearestColor(const ros::Time& stamp) const;
 
-  ros::NodeHandle nh_;
-  int queue_size_;
-  Callback callback_;
-  message_filters::Subscriber<Cloud> clouds_;
-  message_filters::Subscriber<Camera> cameras_;
-  // After the subscribers: a synchronizer must be gone before what it listens to (ros_comm issue 720).
-  std::unique_ptr<message_filters::Synchronizer<Exact>> exact_;
-  std::unique_ptr<message_filters::Synchronizer<Approximate>> approximate_;
+  ros::NodeHandle nh_, private_nh_;
+  InputSettings settings_;
+  Callbacks callbacks_;
+
+  mutable std::mutex mutex_;  // held while a message is taken in, and for what follows
+  std::unique_ptr<StampPairs<sensor_msgs::PointCloud2>> cloud_pairs_;
+  std::unique_ptr<StampPairs<sensor_msgs::Image>> depth_pairs_;
+  std::deque<sensor_msgs::ImageConstPtr> colors_;
+  InputState counted_;
+  // A jump shows on one topic first; messages of the time before may still come on the other one.
+  TopicTime first_time_, camera_time_;
+  std::deque<sensor_msgs::CameraInfoConstPtr> recent_cameras_;  // of this epoch
+  Clock::time_point first_arrival_;
+
   std::atomic<bool> subscribed_{false};
-  std::atomic<std::size_t> clouds_seen_{0}, camera_infos_seen_{0};
+  image_transport::ImageTransport image_transport_;
+  image_transport::Subscriber depth_, color_;
+  ros::Subscriber cloud_, camera_;
 };
 
 }  // namespace objectness_segmentation

@@ -8,9 +8,21 @@ namespace objectness_segmentation {
 namespace topics {
 constexpr char kPoints[] = "points";
 constexpr char kCameraInfo[] = "camera_info";
+constexpr char kDepth[] = "depth";
+constexpr char kColor[] = "rgb";
 constexpr char kObjects[] = "objects";
 constexpr char kSegments[] = "segments";
 constexpr char kMarkers[] = "markers";
+constexpr char kPoses[] = "poses";
+constexpr char kTable[] = "table";
+constexpr char kLabelImage[] = "label_image";
+constexpr char kProfile[] = "profile";
+constexpr char kEdges[] = "debug/edges";
+constexpr char kHidden[] = "debug/occlusion";
+constexpr char kSuperpixels[] = "debug/superpixels";
+constexpr char kDetections[] = "detections";
+constexpr char kPlanningScene[] = "planning_scene";
+constexpr char kSegmentOnce[] = "segment";
 }  // namespace topics
 
 /// Of a simulated camera in a bag: those of a driver, and the truth.

@@ -18,6 +18,8 @@ struct SearchConfig {
   double max_size_m = 0.45;
   double angle_step_deg = 5.0;
   int max_boxes_per_angle = 200000;
+  int top_k = 0;
+  double top_k_start = -10;
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
@@ -29,6 +31,11 @@ struct SearchConfig {
     visit("angle_step_deg", self.angle_step_deg, Range{1.0, 90.0}, "step of the rotation about the normal, in [0, 90)");
     visit("max_boxes_per_angle", self.max_boxes_per_angle, Range{1, 10000000},
           "of the boxes of an angle that reach the threshold at most this many, the best, are kept");
+    visit("top_k", self.top_k, Range{0, 10000000},
+          "only this many boxes, the best of all angles, are looked for; 0: all that reach the threshold");
+    visit("top_k_start", self.top_k_start, Range{-10, 10},
+          "objectness that the top_k boxes are expected to reach, as in the frame before: quicker, and the same result, "
+          "as the search begins anew when they do not");
   }
 };
 

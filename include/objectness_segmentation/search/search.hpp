@@ -8,6 +8,7 @@
 #include "objectness_segmentation/integral/cue_volumes.hpp"
 #include "objectness_segmentation/objectness/objectness.hpp"
 #include "objectness_segmentation/search/box_sampler.hpp"
+#include "objectness_segmentation/search/running_threshold.hpp"
 
 namespace objectness {
 
@@ -17,6 +18,8 @@ struct SearchTask {
   Ring ring;
   ObjectnessConfig objectness;
   double threshold = 0;  ///< boxes of at least this objectness are kept
+  /// For searchBounded(): boxes below what it has risen to are left out, too; every box that is kept is added to it.
+  RunningThreshold* running = nullptr;
 };
 
 /// The boxes of one angle whose objectness is at least the threshold.

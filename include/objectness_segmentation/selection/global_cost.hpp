@@ -69,7 +69,6 @@ class GlobalCost {
     int neighbours = 0;  ///< active boxes that have it in their surroundings only
     long holders_sum = 0;
   };
-  double weightOf(const PointState& state) const;
 
   const CostProblem& problem_;
   const SelectionConfig config_;

@@ -4,15 +4,15 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "objectness_segmentation/selection/bit_selection.hpp"
 #include "objectness_segmentation/selection/box_filter.hpp"
-#include "objectness_segmentation/selection/global_selection.hpp"
 
 namespace objectness {
 
 /// B* of paper Sec. 4.1: the boxes that survived the filtering, ready for the global selection.
 struct Hypotheses {
   std::vector<ScoredBox> boxes;  ///< best first
-  CostProblem problem;           ///< the same as the cost of Eq. 8 sees them
+  BitProblem problem;            ///< the same as the cost of Eq. 8 sees them
 };
 
 /// Sec. 4.1: filters the scored boxes (best first, one grid per angle) by what they hold of the scene's points (table

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace objectness::evaluation {
+namespace objectness {
 
 /// Pairs rows and columns one to one so that the sum of their gains is the largest there is (the Hungarian problem),
 /// min(rows, columns) pairs, by row. Shortest augmenting paths with duals (Jonker and Volgenant 1987, in the
@@ -13,4 +13,4 @@ namespace objectness::evaluation {
 /// because the pairs without any gain decide about the boundary measure.
 std::vector<std::pair<int, int>> assignMaximum(const Eigen::MatrixXd& gains);
 
-}  // namespace objectness::evaluation
+}  // namespace objectness

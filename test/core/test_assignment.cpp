@@ -6,9 +6,9 @@
 #include <random>
 #include <set>
 
-#include "objectness_segmentation/evaluation/assignment.hpp"
+#include "objectness_segmentation/common/assignment.hpp"
 
-using objectness::evaluation::assignMaximum;
+using objectness::assignMaximum;
 
 namespace {
 

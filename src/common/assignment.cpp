@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/evaluation/assignment.hpp"
+#include "objectness_segmentation/common/assignment.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
 
-namespace objectness::evaluation {
+namespace objectness {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -88,4 +88,4 @@ std::vector<std::pair<int, int>> assignMaximum(const Eigen::MatrixXd& gains) {
   return pairs;
 }
 
-}  // namespace objectness::evaluation
+}  // namespace objectness

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <optional>
+
+namespace objectness_segmentation {
+
+/// Where requests for a fresh result wait in their own threads, and the worker leaves it. No ROS in it; thread safe.
+///
+/// A frame is told at its arrival which requests it is new enough for (ticketFor()); its result then answers all of
+/// these (answer()). So a frame that was on its way when the request came is not taken for an answer.
+template <class Answer>
+class RequestDesk {
+ public:
+  /// Number of the newest request that a frame answers; 0: none.
+  using Ticket = std::uint64_t;
+
+  /// A request that is made now, by the clock of the stamps. Ends with its guard.
+  class Request {
+   public:
+    Request(RequestDesk& desk, double now_s) : desk_(desk), number_(desk.open(now_s)) {}
+    ~Request() { desk_.close(number_); }
+    Request(const Request&) = delete;
+    Request& operator=(const Request&) = delete;
+
+    /// The answer; none when the (wall) time is over or the desk is closed before it comes.
+    std::optional<Answer> wait(double seconds) { return desk_.wait(number_, seconds); }
+
+   private:
+    RequestDesk& desk_;
+    Ticket number_;
+  };
+
+  bool pending() const { return pending_ > 0; }
+  bool stopped() const { return stop_; }
+
+  /// For a frame that arrives now. Stamps of another clock than now_s (kForeign_s or more away) cannot be compared with
+  /// the time of the request: then what arrives after it is new enough.
+  Ticket ticketFor(double stamp_s, double now_s) const {
+    std::lock_guard<std::mutex> lock(mutex_);
+    const double age_s = now_s - stamp_s;
+    const bool comparable = age_s < kForeign_s && age_s > -kForeign_s;
+    Ticket ticket = 0;
+    for (const auto& [number, request] : open_) {
+      if (!comparable || stamp_s >= request.time_s) ticket = number;
+    }
+    return ticket;
+  }
+
+  /// Whether a frame with this ticket still has somebody waiting.
+  bool wants(Ticket ticket) const {
+    std::lock_guard<std::mutex> lock(mutex_);
+    return !open_.empty() && open_.begin()->first <= ticket;
+  }
+
+  void answer(Ticket ticket, const Answer& answer) {
+    {
+      std::lock_guard<std::mutex> lock(mutex_);
+      for (auto& [number, request] : open_) {
+        if (number <= ticket && !request.answer) request.answer = answer;
+      }
+    }
+    wake_.notify_all();
+  }
+
+  /// Ends all waiting, now and in future.
+  void stop() {
+    {
+      std::lock_guard<std::mutex> lock(mutex_);
+      stop_ = true;
+    }
+    wake_.notify_all();
+  }
+
+ private:
+  static constexpr double kForeign_s = 10;
+
+  struct Open {
+    double time_s = 0;
+    std::optional<Answer> answer;
+  };
+
+  Ticket open(double now_s) {
+    std::lock_guard<std::mutex> lock(mutex_);
+    open_[++last_].time_s = now_s;
+    ++pending_;
+    return last_;
+  }
+  void close(Ticket number) {
+    std::lock_guard<std::mutex> lock(mutex_);
+    open_.erase(number);
+    --pending_;
+  }
+  std::optional<Answer> wait(Ticket number, double seconds) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    Open& request = open_.at(number);  // a map's elements stay where they are
+    wake_.wait_for(lock, std::chrono::duration<double>(seconds), [&] { return stop_ || request.answer; });
+    return request.answer;
+  }
+
+  mutable std::mutex mutex_;
+  std::condition_variable wake_;
+  std::map<Ticket, Open> open_;
+  Ticket last_ = 0;
+  std::atomic<int> pending_{0};
+  std::atomic<bool> stop_{false};
+};
+
+}  // namespace objectness_segmentation

@@ -1,0 +1,47 @@
+# shellcheck shell=bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Sourced by scripts/test: builds and runs under gcc's sanitizers.
+
+# use_sanitizers KIND[,KIND]: a build of its own, and what its programs are told.
+use_sanitizers() {
+  local kinds=$1 kind flags='' libraries='' suppressions=$repo_dir/test/sanitizers
+  for kind in ${kinds//,/ }; do
+    case $kind in
+      thread | address) flags+=" -fsanitize=$kind" libraries+=":lib${kind:0:1}san.so" ;;
+      undefined) flags+=' -fsanitize=undefined,float-cast-overflow' libraries+=':libubsan.so' ;;
+      *) flags='' && break ;;
+    esac
+  done
+  if [ -z "$flags" ] || [[ $kinds == *thread*address* || $kinds == *address*thread* ]]; then
+    fail "--sanitize needs thread, address, undefined or address,undefined"
+  fi
+  use_build_folder "sanitize-${kinds//,/-}"
+  # target_clones are resolved before a sanitizer is ready. Assertions stay in: no -DNDEBUG.
+  cmake_options=(-DCMAKE_BUILD_TYPE=Sanitize
+    "-DCMAKE_CXX_FLAGS_SANITIZE=-O1 -g1 -fno-omit-frame-pointer$flags -DOBJECTNESS_PORTABLE"
+    "-DCMAKE_EXE_LINKER_FLAGS_SANITIZE=$flags" "-DCMAKE_SHARED_LINKER_FLAGS_SANITIZE=$flags")
+
+  # Every process leaves its reports in a file: tools and nodelet managers that a test starts are looked at, too.
+  reports_dir=$build_dir/reports
+  local report=log_path=$reports_dir/report
+  export TSAN_OPTIONS=$report:suppressions=$suppressions/thread.txt:ignore_noninstrumented_modules=1:second_deadlock_stack=1
+  export ASAN_OPTIONS=$report:detect_stack_use_after_return=1:check_initialization_order=1
+  export LSAN_OPTIONS=$report:suppressions=$suppressions/address.txt:print_suppressions=0
+  export UBSAN_OPTIONS=$report:suppressions=$suppressions/undefined.txt:print_stacktrace=1
+  # ROS's own nodelet manager is not instrumented, but has to load a library that is.
+  local preload='' library
+  for library in ${libraries//:/ }; do preload+=${preload:+:}$(g++ -print-file-name="$library"); done
+  export OBJECTNESS_MANAGER_PREFIX="env LD_PRELOAD=$preload"
+}
+
+# Fails when any process has left a report.
+check_reports() {
+  local reports report
+  reports=$(find "$reports_dir" -type f -size +0 | sort)
+  [ -n "$reports" ] || return 0
+  say "Reports of the sanitizer:"
+  while read -r report; do
+    say "$report: $(grep -m 1 -E 'ERROR|WARNING|runtime error|SUMMARY' "$report" || head -n 1 "$report")"
+  done <<<"$reports"
+  return 1
+}

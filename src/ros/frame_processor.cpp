@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "frame_processor.hpp"
+
+#include <chrono>
+
+namespace objectness_segmentation {
+namespace {
+
+using Milliseconds = std::chrono::duration<double, std::milli>;
+
+void preferUp(const Eigen::Vector3d& up, objectness::TableConfig& table) {
+  table.up_known = true;
+  table.up_x = up.x();
+  table.up_y = up.y();
+  table.up_z = up.z();
+}
+
+}  // namespace
+
+ProcessedFrame FrameProcessor::process(const InputMessages& messages, objectness::Config config,
+                                       const std::optional<objectness::LearnedObjectness>& model,
+                                       const std::atomic<bool>& stop) {
+  ProcessedFrame processed;
+  const auto start = std::chrono::steady_clock::now();
+  const CameraPose pose = poses_.at(messages.header(), stop);
+  processed.transforms_ms = Milliseconds(std::chrono::steady_clock::now() - start).count();
+  if (!pose.status.ok()) {
+    processed.result = failedFrame(pose.status);
+    return processed;
+  }
+  processed.T_target_camera = pose.T_target_camera;
+  if (pose.up) preferUp(*pose.up, config.table);
+
+  SegmentedFrame& result = processed.result;
+  result = segmentMessages(messages, config, model, &stop);
+  if (!pose.remark.empty()) result.remarks.push_back(pose.remark);
+  if (!config.tracking.enabled) {
+    tracker_.clear();
+  } else if (result.segmentation.status.ok()) {
+    const auto segmented = std::chrono::steady_clock::now();
+    result.identities = tracker_.update(result.frame, result.segmentation.segments, pose.T_fixed_camera,
+                                        messages.header().stamp.toSec(), config.tracking);
+    processed.tracking_ms = Milliseconds(std::chrono::steady_clock::now() - segmented).count();
+  }
+  return processed;
+}
+
+}  // namespace objectness_segmentation

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <optional>
+
+#include "camera_poses.hpp"
+#include "objectness_segmentation/ros/segment_messages.hpp"
+#include "objectness_segmentation/tracking/tracker.hpp"
+
+namespace objectness_segmentation {
+
+struct ProcessedFrame {
+  SegmentedFrame result;                             ///< in the camera's frame
+  std::optional<Eigen::Isometry3d> T_target_camera;  ///< where the outputs are to be moved to
+  double transforms_ms = 0, tracking_ms = 0;
+};
+
+/// What is done with one frame: where was the camera, what is there, which objects are they. Remembers the objects of
+/// the frames before. For one thread.
+class FrameProcessor {
+ public:
+  FrameProcessor(const NodeSettings& settings, const ros::NodeHandle& nh) : poses_(settings, nh) {}
+
+  /// model: none for the built-in one. Does not throw for what is wrong with the messages.
+  ProcessedFrame process(const InputMessages& messages, objectness::Config config,
+                         const std::optional<objectness::LearnedObjectness>& model, const std::atomic<bool>& stop);
+
+  /// Time went back: from any thread.
+  void forgetTransforms() { poses_.clear(); }
+
+ private:
+  CameraPoses poses_;
+  objectness::Tracker tracker_;
+};
+
+}  // namespace objectness_segmentation

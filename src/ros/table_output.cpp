@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "table_output.hpp"
+
+#include "geometry_output.hpp"
+#include "objectness_segmentation/ros/output_conversions.hpp"
+
+namespace objectness_segmentation {
+
+std::vector<float> planeCoefficients(const objectness::Table& table) {
+  if (!hasTable(table)) return {};
+  const Eigen::Vector3f normal = table.normal.cast<float>();
+  return {normal.x(), normal.y(), normal.z(), static_cast<float>(table.d)};
+}
+
+SegmentedTable toTableMessage(const SegmentedFrame& result, const std_msgs::Header& header) {
+  const objectness::Table& table = result.segmentation.table;
+  SegmentedTable message;
+  message.header = message.plane.header = header;
+  message.pose.orientation.w = 1;
+  message.found = hasTable(table);
+  if (!message.found) return message;
+  message.plane.values = planeCoefficients(table);
+  const Eigen::Isometry3d T_camera_table = table.T_table_camera.inverse();
+  message.pose = toPose(T_camera_table);
+  for (const Eigen::Vector2d& corner : table.hull) {
+    const Eigen::Vector3f p = (T_camera_table * Eigen::Vector3d(corner.x(), corner.y(), 0)).cast<float>();
+    message.polygon.points.emplace_back();
+    message.polygon.points.back().x = p.x();
+    message.polygon.points.back().y = p.y();
+    message.polygon.points.back().z = p.z();
+  }
+  return message;
+}
+
+}  // namespace objectness_segmentation

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "objectness_segmentation/selection/global_selection.hpp"
+
+namespace objectness {
+
+/// Random numbers that are the same with every standard library: the distributions of <random> are not.
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  int below(int count) { return static_cast<int>(static_cast<std::uint64_t>(engine_()) * count >> 32); }
+  double unit() { return engine_() * (1.0 / 4294967296.0); }
+
+ private:
+  std::mt19937 engine_;
+};
+
+/// Runs the annealing and remembers the best selection ever met. Cost is GlobalCost or BitCost, or what has their
+/// interface: all of them do the same moves.
+template <class Cost>
+class Annealer {
+ public:
+  template <class Problem>
+  Annealer(const Problem& problem, const SelectionConfig& config, unsigned seed)
+      : config_(config), cost_(problem, config), random_(seed) {
+    best_.active = cost_.active();
+  }
+
+  Selection run() {
+    const int n = cost_.size();
+    if (n == 0) return best_;
+    const double end = std::min(config_.end_temperature, config_.start_temperature);
+    const double cooling =
+        config_.iterations > 1 ? std::pow(end / config_.start_temperature, 1.0 / (config_.iterations - 1)) : 1.0;
+    double temperature = config_.start_temperature;
+    for (int step = 0; step < config_.iterations; ++step, temperature *= cooling) {
+      const int i = random_.below(n), j = random_.below(n), kind = random_.below(4);
+      if (kind == 0 && cost_.active()[i] != cost_.active()[j]) {
+        attempt({i, j}, temperature);
+      } else if (kind == 1 && !cost_.active()[i]) {
+        attempt(takeover(i), temperature);
+      } else {
+        attempt({i}, temperature);
+      }
+    }
+    descend();
+    return best_;
+  }
+
+ private:
+  /// The flips that activate i in the place of all active boxes that hold points of it. One by one, a box that is
+  /// better than the two that share its object would first have to be paid for twice.
+  std::vector<int> takeover(int i) const {
+    std::vector<int> flips = {i};
+    for (const int rival : cost_.rivals(i, true)) flips.push_back(rival);
+    return flips;
+  }
+
+  double apply(const std::vector<int>& flips) {
+    double delta = 0;
+    for (const int i : flips) delta += cost_.flip(i);
+    return delta;
+  }
+
+  /// Does the flips if the temperature lets them pass.
+  bool attempt(const std::vector<int>& flips, double temperature) {
+    const double before = cost_.cost();
+    const double delta = flips.size() == 1 ? cost_.flipDelta(flips[0]) : apply(flips);
+    const bool accepted = delta <= 0 || (temperature > 0 && random_.unit() < std::exp(-delta / temperature));
+    if (flips.size() == 1) {
+      if (accepted) cost_.flip(flips[0]);
+    } else if (!accepted) {
+      cost_.undo(flips, before);
+    }
+    if (accepted) remember();
+    return accepted;
+  }
+
+  void remember() {
+    // The margin keeps rounding of the running sum from calling the same selection better.
+    if (cost_.cost() < best_.cost - kRounding) best_ = {cost_.active(), cost_.cost()};
+  }
+
+  /// Does the flips if they gain.
+  bool improve(const std::vector<int>& flips) {
+    const double before = cost_.cost();
+    const double delta = flips.size() == 1 ? cost_.flipDelta(flips[0]) : apply(flips);
+    const bool gains = delta < -kRounding;
+    if (flips.size() == 1) {
+      if (gains) cost_.flip(flips[0]);
+    } else if (!gains) {
+      cost_.undo(flips, before);
+    }
+    if (gains) cost_.changed(flips);
+    return gains;
+  }
+
+  /// Leaves the active i for the rival that gains most, if one does.
+  bool improveBySwap(int i) {
+    const double before = cost_.cost(), first = cost_.flip(i);
+    int partner = i;
+    double lowest = -kRounding;
+    for (const int j : cost_.rivals(i, false)) {
+      const double delta = first + cost_.flipDelta(j);
+      if (delta >= lowest) continue;
+      lowest = delta;
+      partner = j;
+    }
+    if (partner == i) {
+      cost_.undo({i}, before);
+    } else {
+      cost_.flip(partner);
+      cost_.changed({i, partner});
+    }
+    return partner != i;
+  }
+
+  /// From the best selection down to where no flip, takeover or swap gains.
+  void descend() {
+    const int n = cost_.size();
+    for (int i = 0; i < n; ++i) {
+      if (cost_.active()[i] != best_.active[i]) cost_.flip(i);
+    }
+    for (bool improved = true; improved;) {
+      improved = false;
+      for (int i = 0; i < n; ++i) {
+        if (cost_.settled(i)) continue;
+        bool gained = improve({i});
+        gained |= cost_.active()[i] ? improveBySwap(i) : improve(takeover(i));
+        if (!gained) cost_.settle(i);
+        improved |= gained;
+      }
+    }
+    remember();
+  }
+
+  static constexpr double kRounding = 1e-9;
+
+  const SelectionConfig config_;
+  Cost cost_;
+  Random random_;
+  Selection best_;
+};
+
+}  // namespace objectness

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bit_cost.hpp"
+
+#include <algorithm>
+
+#include "cost_change.hpp"
+
+namespace objectness {
+
+BitCost::BitCost(const BitProblem& problem, const SelectionConfig& config)
+    : problem_(problem),
+      config_(config),
+      words_(problem.layout.words()),
+      active_(problem.hypotheses.size(), false),
+      scratch_{0, std::vector<std::uint64_t>(words_, 0)},
+      settled_(problem.hypotheses.size()) {
+  held_.bits.assign(words_, 0);
+  beside_.bits.assign(words_, 0);
+}
+
+long BitCost::sharedWith(const PointBits& set, int j) const {
+  const PointBits& other = problem_.hypotheses[j].inside;
+  const std::uint64_t groups = set.groups & other.groups;
+  if (groups == 0) return 0;
+  return countCommon(set.words.data(), other.words.data(), groups, problem_.layout.group_words);
+}
+
+double BitCost::flipDelta(int i) const {
+  const BitHypothesis& h = problem_.hypotheses[i];
+  const int group_words = problem_.layout.group_words;
+  const bool leaves = active_[i];
+  const HeldCounts in = countHeld(h.inside.words.data(), h.inside.groups, group_words, counters(held_),
+                                  counters(beside_), leaves ? 1 : 0);
+  const HeldCounts around = countHeld(h.surroundings.words.data(), h.surroundings.groups, group_words, counters(held_),
+                                      {beside_.bits.data(), 0, words_}, 0);
+  CostChange change;
+  change.step = leaves ? -1 : 1;
+  // A point's second box makes it count twice, each further one once more.
+  change.multiple = leaves ? -(2L * in.two + in.more) : 2L * in.one + in.two + in.more;
+  change.unexplained = leaves ? in.unexplained - around.none : around.none - in.unexplained;
+  const long own = leaves ? -in.one : in.none;
+  // Points that the others lose to this box, or win from it.
+  const bool contested = (leaves ? in.two : in.one) != 0;
+  if (contested) {
+    scratch_.groups = h.inside.groups;
+    selectHeld(h.inside.words.data(), h.inside.groups, group_words, counters(held_), leaves ? 2 : 1,
+               scratch_.words.data());
+  }
+  bool own_added = false;
+  for (const int j : actives_) {
+    if (!own_added && j >= i) {
+      change.objectness += h.objectness * static_cast<double>(own);
+      own_added = true;
+    }
+    if (j == i || !contested) continue;
+    const long shared = sharedWith(scratch_, j);
+    if (shared != 0) change.objectness += problem_.hypotheses[j].objectness * static_cast<double>(leaves ? shared : -shared);
+  }
+  if (!own_added) change.objectness += h.objectness * static_cast<double>(own);
+  return costOf(change, h.free_space, config_);
+}
+
+void BitCost::adjust(const PointBits& set, bool add, int most, Planes& planes) {
+  while (most >> planes.count != 0) {
+    planes.bits.resize(planes.bits.size() + words_, 0);
+    ++planes.count;
+  }
+  (add ? increment : decrement)(set.words.data(), set.groups, problem_.layout.group_words, planes.count, words_,
+                                planes.bits.data());
+}
+
+void BitCost::toggle(int i) {
+  const BitHypothesis& h = problem_.hypotheses[i];
+  const bool add = !active_[i];
+  const auto at = std::lower_bound(actives_.begin(), actives_.end(), i);
+  if (add) {
+    actives_.insert(at, i);
+  } else {
+    actives_.erase(at);
+  }
+  active_[i] = add;
+  const int most = static_cast<int>(actives_.size());
+  adjust(h.inside, add, most, held_);
+  adjust(h.surroundings, add, most, beside_);
+}
+
+double BitCost::flip(int i) {
+  const double delta = flipDelta(i);
+  toggle(i);
+  cost_ += delta;
+  return delta;
+}
+
+void BitCost::undo(const std::vector<int>& flips, double cost) {
+  for (const int i : flips) toggle(i);
+  cost_ = cost;
+}
+
+bool BitCost::share(int i, int j) const { return sharedWith(problem_.hypotheses[i].inside, j) != 0; }
+
+std::vector<int> BitCost::rivals(int i, bool active) const {
+  std::vector<int> found;
+  if (active) {
+    for (const int j : actives_) {
+      if (j != i && share(i, j)) found.push_back(j);
+    }
+    return found;
+  }
+  for (int j = 0; j < size(); ++j) {
+    if (j != i && !active_[j] && share(i, j)) found.push_back(j);
+  }
+  return found;
+}
+
+std::uint64_t BitCost::reach(int i) const {
+  return problem_.hypotheses[i].inside.groups | problem_.hypotheses[i].surroundings.groups;
+}
+
+bool BitCost::settled(int i) const {
+  if (!settled_[i].is) return false;
+  for (std::size_t k = settled_[i].changes; k < changes_.size(); ++k) {
+    if (changes_[k] & settled_[i].groups) return false;
+  }
+  return true;
+}
+
+void BitCost::settle(int i) {
+  // A takeover flips the active rivals, too, a swap each of the others that could come in.
+  std::uint64_t groups = reach(i);
+  for (const int j : rivals(i, !active_[i])) groups |= reach(j);
+  settled_[i] = {changes_.size(), groups, true};
+}
+
+void BitCost::changed(const std::vector<int>& flips) {
+  std::uint64_t groups = 0;
+  for (const int i : flips) groups |= reach(i);
+  changes_.push_back(groups);
+}
+
+}  // namespace objectness

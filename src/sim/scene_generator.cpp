@@ -26,6 +26,16 @@ std::vector<std::uint32_t> seeds(const SceneRequest& request, int attempt) {
 /// Radius of the disc that holds `count` things which stand apart.
 double roomFor(int count, int attempt) { return (0.08 + 0.09 * std::sqrt(count)) * (1 + kMoreRoom * attempt); }
 
+constexpr int kManyObjects = 20;  // more need a larger table than the usual ones
+
+TableSize drawTableFor(int count, Random& random) {
+  TableSize table = drawTable(random);
+  const double scale = std::sqrt(std::max(1.0, static_cast<double>(count) / kManyObjects));
+  table.width_m *= scale;
+  table.depth_m *= scale;
+  return table;
+}
+
 Area drawArea(const SceneRequest& request, const TableSize& table, const std::optional<Viewpoint>& given, int count,
               int attempt, Random& random) {
   Area area{table, {}, request.camera, roomFor(count, attempt)};
@@ -102,7 +112,7 @@ Result<Scene> generateScene(const SceneRequest& request) {
     Random random(seeds(request, attempt));
     const int drawn_count = random.integer(level->min_objects, level->max_objects);
     count = request.objects.value_or(drawn_count);
-    const TableSize drawn_table = drawTable(random);
+    const TableSize drawn_table = drawTableFor(count, random);
     const TableSize table = request.table.value_or(drawn_table);
     const Area area = drawArea(request, table, given, count, attempt, random);
     const std::vector<Placed> things = arrange(*level, count, area, random);

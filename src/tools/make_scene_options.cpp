@@ -49,7 +49,7 @@ po::options_description shownOptions() {
   add("demo", po::bool_switch(), "the built-in scene; the seed moves its objects a little");
   add("level", text("NAME"), "how difficult the scene is (--list), or all levels");
   add("list", po::bool_switch(), "print the levels, from easy to hard");
-  add("objects", number(), "how many objects, 0 to 20 (otherwise drawn at random)");
+  add("objects", number(), "how many objects, 0 to 40 (otherwise drawn at random)");
   add("seed", number(), "another seed, other scenes (1)");
   add("count", number(), "N scenes a level: DIR/LEVEL_0000, ... and their groups in DIR/groups.csv");
   add("frames", number(), "N frames of a camera that swings around the scene: DIR/frame_0000, ..., or one bag");

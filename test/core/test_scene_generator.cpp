@@ -259,8 +259,8 @@ TEST(SceneGenerator, SaysWhyThereIsNoScene) {
   SceneRequest asked = request("chaos", 0);
   expectError(asked, "no level 'chaos', but boxes, shapes");
   asked = request("boxes", 0);
-  asked.objects = 21;
-  expectError(asked, "must be 0 to 20");
+  asked.objects = kMaxObjects + 1;
+  expectError(asked, "must be 0 to 40");
   asked.objects = 20;
   asked.table = TableSize{false, 0.4, 0.4, 0.7};
   expectError(asked, "no room for 20 objects");

@@ -95,7 +95,7 @@ TEST_F(MakeSceneTool, WrongCommandLines) {
            {"--level chaos --out o", "--level chaos: must be all, boxes, shapes"},
            {"--level all --out o", "--level all needs --count"},
            {"--level boxes --count 2 --frames 2 --out o", "exclude each other"},
-           {"--level boxes --objects 21 --out o", "--objects 21: must be 0 to 20"},
+           {"--level boxes --objects 41 --out o", "--objects 41: must be 0 to 40"},
            {"--level boxes --count 0 --out o", "--count 0: must be 1 to"},
            {"--level boxes --seed -1 --out o", "--seed -1: must be 0 to"},
            {"--level boxes --seed many --out o", "seed"},

@@ -25,7 +25,7 @@ struct SceneRequest {
   PinholeCamera camera;  ///< every object is wholly within its picture
 };
 
-constexpr int kMaxObjects = 20;
+constexpr int kMaxObjects = 40;
 /// The range that camera poses are drawn from: distance from what the camera looks at, angle below the horizon.
 constexpr double kMinDistance_m = 0.6, kMaxDistance_m = 1.6, kMinTilt_deg = 20, kMaxTilt_deg = 60;
 

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "frame_methods.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "objectness_segmentation/config_fields.hpp"
+#include "objectness_segmentation/io/config_yaml.hpp"
+#include "objectness_segmentation/peers/peers.hpp"
+#include "objectness_segmentation/pipeline.hpp"
+
+namespace objectness::benchmarks {
+namespace {
+
+/// How many boxes the paper's method keeps in top-K mode, as a parameter.
+constexpr const char* kTopKField = "search.top_k";
+constexpr const char* kTopK = "1000";
+
+Config withThreads() {
+  Config config;
+  config.runtime.threads = kThreads;
+  return config;
+}
+
+void require(const Status& status) {
+  if (!status.ok()) throw std::runtime_error(status.message);
+}
+
+bool hasField(Config config, const std::string& name) {
+  const std::vector<ConfigField> fields = configFields(config);
+  return std::any_of(fields.begin(), fields.end(), [&](const ConfigField& f) { return f.fullName() == name; });
+}
+
+FrameMethod ownMethod(const std::string& name, const std::string& volume, const Config& config) {
+  return {name, volume, [config](const Frame& frame) { return segment(frame, config); }};
+}
+
+/// pcl_normals: normals by PCL, too, in the place of the package's faster ones.
+FrameMethod peerMethod(Peer peer, bool pcl_normals) {
+  Config config = withThreads();
+  config.normals.pcl = pcl_normals;
+  const auto run = [peer, config](const Frame& frame) { return segmentWithPeer(peer, frame, config); };
+  return {std::string(toString(peer)) + (pcl_normals ? "_pcl_normals" : ""), "none", run, true};
+}
+
+}  // namespace
+
+std::vector<VolumeOfInterest> volumesOfInterest() {
+  Config tight = withThreads(), wide = withThreads();
+  tight.grouping.enabled = false;
+  require(loadConfig(REPOSITORY_DIR "/cfg/wide_volume.yaml", wide));
+  return {{"tight", tight}, {"wide", wide}};
+}
+
+std::vector<FrameMethod> frameMethods() {
+  std::vector<FrameMethod> methods{ownMethod("objectness", "none", withThreads())};
+  for (const auto& [volume, config] : volumesOfInterest()) methods.push_back(ownMethod("paper", volume, config));
+  if (hasField({}, kTopKField)) {
+    for (const auto& [volume, config] : volumesOfInterest()) {
+      Config best = config;
+      require(setParameters({std::string(kTopKField) + "=" + kTopK}, best));
+      methods.push_back(ownMethod("paper_top_k", volume, best));
+    }
+  }
+  for (const bool pcl_normals : {false, true}) {
+    methods.push_back(peerMethod(Peer::kMps, pcl_normals));
+    methods.push_back(peerMethod(Peer::kLccp, pcl_normals));
+  }
+  return methods;
+}
+
+}  // namespace objectness::benchmarks

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "peak_memory.hpp"
+
+#include <sys/mman.h>
+#include <sys/resource.h>
+
+#include <new>
+
+#include "objectness_segmentation/evaluation/processes.hpp"
+
+namespace objectness::benchmarks {
+namespace {
+
+/// Numbers that forked processes write and this one reads.
+class SharedNumbers {
+ public:
+  explicit SharedNumbers(std::size_t count)
+      : bytes_(count * sizeof(double)),
+        memory_(mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {
+    if (memory_ == MAP_FAILED) throw std::bad_alloc();
+  }
+  ~SharedNumbers() { munmap(memory_, bytes_); }
+  SharedNumbers(const SharedNumbers&) = delete;
+  SharedNumbers& operator=(const SharedNumbers&) = delete;
+
+  double& operator[](std::size_t i) { return static_cast<double*>(memory_)[i]; }
+
+ private:
+  std::size_t bytes_;
+  void* memory_;
+};
+
+std::string keyOf(const BenchmarkScene& scene, const FrameMethod& method) {
+  return method.name + "/" + method.volume + "/" + scene.source.name;
+}
+
+}  // namespace
+
+void PeakMemory::measure(const std::vector<BenchmarkScene>& scenes, const std::vector<FrameMethod>& methods) {
+  std::vector<std::pair<const BenchmarkScene*, const FrameMethod*>> jobs;
+  for (const BenchmarkScene& scene : scenes) {
+    for (const FrameMethod& method : methods) {
+      if (!method.is_peer) jobs.emplace_back(&scene, &method);
+    }
+  }
+  if (jobs.empty()) return;
+  SharedNumbers peak(jobs.size());
+  const auto work = [&](int i) {
+    if (!jobs[i].second->run(frameOf(*jobs[i].first)).status.ok()) return;
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    peak[i] = static_cast<double>(usage.ru_maxrss) / 1024;
+  };
+  const auto done = [&](int i, const std::string& failure) {
+    if (failure.empty()) mib_[keyOf(*jobs[i].first, *jobs[i].second)] = peak[i];
+  };
+  evaluation::forEachInProcess(static_cast<int>(jobs.size()), kThreads, work, done);
+}
+
+double PeakMemory::mib(const BenchmarkScene& scene, const FrameMethod& method) const {
+  const auto found = mib_.find(keyOf(scene, method));
+  return found == mib_.end() ? 0 : found->second;
+}
+
+}  // namespace objectness::benchmarks

@@ -78,7 +78,7 @@ Status checkLayout(const PointCloud2& message) {
 
 }  // namespace
 
-Result<RawCloud> toRawCloud(const PointCloud2& message) {
+Result<RawCloud> toRawCloud(const PointCloud2& message, int step) {
   const Result<std::uint32_t> x = coordinateOffset(message, "x");
   const Result<std::uint32_t> y = coordinateOffset(message, "y");
   const Result<std::uint32_t> z = coordinateOffset(message, "z");
@@ -91,15 +91,16 @@ Result<RawCloud> toRawCloud(const PointCloud2& message) {
 
   Result<RawCloud> result;
   RawCloud& cloud = result.value;
-  cloud.width = static_cast<int>(message.width);
-  cloud.height = static_cast<int>(message.height);
-  const std::size_t count = std::size_t{message.width} * message.height;
+  const auto stride = static_cast<std::size_t>(step);
+  cloud.width = static_cast<int>((message.width + stride - 1) / stride);
+  cloud.height = static_cast<int>((message.height + stride - 1) / stride);
+  const std::size_t count = static_cast<std::size_t>(cloud.width) * static_cast<std::size_t>(cloud.height);
   cloud.points.resize(count);
   if (color) cloud.colors.resize(count);
   std::size_t i = 0;
-  for (std::size_t v = 0; v < message.height; ++v) {
+  for (std::size_t v = 0; v < message.height; v += stride) {
     const std::uint8_t* point = message.data.data() + v * message.row_step;
-    for (std::size_t u = 0; u < message.width; ++u, ++i, point += message.point_step) {
+    for (std::size_t u = 0; u < message.width; u += stride, ++i, point += stride * message.point_step) {
       Eigen::Vector3f& p = cloud.points[i];
       std::memcpy(&p.x(), point + x.value, kFieldSize);
       std::memcpy(&p.y(), point + y.value, kFieldSize);

@@ -2,6 +2,7 @@
 #include <cv_bridge/cv_bridge.h>
 #include <sensor_msgs/image_encodings.h>
 
+#include <cstring>
 #include <exception>
 #include <string>
 
@@ -50,6 +51,28 @@ Result<cv::Mat> toDepthImage(const sensor_msgs::Image& message) {
   } catch (const std::exception& e) {
     return bad(std::string("depth image: ") + e.what());
   }
+}
+
+cv::Mat thinned(const cv::Mat& image, int step) {
+  if (step == 1) return image;
+  cv::Mat thin((image.rows + step - 1) / step, (image.cols + step - 1) / step, image.type());
+  const std::size_t pixel = image.elemSize();
+  for (int v = 0; v < thin.rows; ++v) {
+    for (int u = 0; u < thin.cols; ++u) {
+      std::memcpy(thin.ptr(v) + u * pixel, image.ptr(v * step) + static_cast<std::size_t>(u) * step * pixel, pixel);
+    }
+  }
+  return thin;
+}
+
+objectness::PinholeCamera thinned(objectness::PinholeCamera camera, int step) {
+  camera.fx /= step;
+  camera.fy /= step;
+  camera.cx /= step;
+  camera.cy /= step;
+  camera.width = (camera.width + step - 1) / step;
+  camera.height = (camera.height + step - 1) / step;
+  return camera;
 }
 
 Result<cv::Mat> toColorImage(const sensor_msgs::Image& message) {

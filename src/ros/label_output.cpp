@@ -16,6 +16,13 @@ sensor_msgs::Image toLabelImage(const SegmentedFrame& result, const std_msgs::He
       for (const int pixel : result.segmentation.segments[rank].pixels) labels.ptr<ushort>()[pixel] = label;
     }
   }
+  if (result.step > 1) {
+    cv::Mat_<ushort> full(result.input_height, result.input_width, ushort{0});
+    for (int v = 0; v < full.rows && !labels.empty(); ++v) {
+      for (int u = 0; u < full.cols; ++u) full(v, u) = labels(v / result.step, u / result.step);
+    }
+    labels = full;
+  }
   return *cv_bridge::CvImage(header, sensor_msgs::image_encodings::TYPE_16UC1, labels).toImageMsg();
 }
 

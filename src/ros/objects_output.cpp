@@ -34,6 +34,18 @@ std::uint64_t countNamed(const objectness::Report& report, const std::string& na
   return 0;
 }
 
+/// Of a thinned frame: the pixels of the input that it has.
+std::vector<int> inputPixels(const SegmentedFrame& result, const std::vector<int>& pixels) {
+  if (result.step == 1) return pixels;
+  std::vector<int> in_input;
+  in_input.reserve(pixels.size());
+  for (const int pixel : pixels) {
+    const int u = pixel % result.frame.width(), v = pixel / result.frame.width();
+    in_input.push_back(v * result.step * result.input_width + u * result.step);
+  }
+  return in_input;
+}
+
 SegmentedObject toObject(const SegmentedFrame& result, std::size_t rank, const std_msgs::Header& header) {
   const objectness::Segment& segment = result.segmentation.segments[rank];
   const objectness::Identity identity = identityOf(result, rank);
@@ -54,7 +66,7 @@ SegmentedObject toObject(const SegmentedFrame& result, std::size_t rank, const s
   object.straddling = static_cast<float>(segment.cues.straddling);
   object.free_space = static_cast<float>(segment.cues.free_space);
   object.indices.header = header;
-  object.indices.indices.assign(segment.pixels.begin(), segment.pixels.end());
+  object.indices.indices = inputPixels(result, segment.pixels);
   object.cloud = extractCloud(result.frame, segment.pixels, header);
   return object;
 }

@@ -13,10 +13,19 @@ namespace {
 
 using moveit_msgs::CollisionObject;
 
+/// Newer messages have a pose of the object that its parts are relative to.
+template <class Object>
+auto setNeutralPose(Object& object, int) -> decltype(object.pose, void()) {
+  object.pose.orientation.w = 1;
+}
+template <class Object>
+void setNeutralPose(Object&, long) {}
+
 CollisionObject makeObject(const std::string& id, const std_msgs::Header& header, int operation) {
   CollisionObject object;
   object.header = header;
   object.id = id;
+  setNeutralPose(object, 0);
   object.operation = static_cast<decltype(object.operation)>(operation);
   return object;
 }

@@ -2,6 +2,7 @@
 #include "objectness_segmentation/ros/segment_messages.hpp"
 
 #include <chrono>
+#include <cmath>
 #include <exception>
 #include <string>
 #include <utility>
@@ -17,18 +18,45 @@ using objectness::Status;
 using objectness::StatusCode;
 using FrameResult = Result<objectness::Frame>;
 
-FrameResult cloudFrame(const InputMessages& messages, const objectness::InputConfig& config,
-                       std::vector<std::string>& remarks) {
-  const auto cloud = toRawCloud(*messages.cloud);
+/// Sets how the input is thinned out. Sizes are not checked yet, and may be absurd.
+void chooseStep(std::uint32_t width, std::uint32_t height, SegmentedFrame& result) {
+  result.input_width = static_cast<int>(width);
+  result.input_height = static_cast<int>(height);
+  const double share = static_cast<double>(width) * height / static_cast<double>(kMaxPixels);
+  if (share <= 1) return;
+  result.step = static_cast<int>(std::ceil(std::sqrt(share)));
+  result.remarks.push_back("the input is " + std::to_string(width) + " x " + std::to_string(height) +
+                           ": of its rows and columns one in " + std::to_string(result.step) +
+                           " is used; a smaller one costs less");
+}
+
+FrameResult cloudFrame(const InputMessages& messages, const objectness::InputConfig& config, SegmentedFrame& result) {
+  const sensor_msgs::PointCloud2& message = *messages.cloud;
+  const bool organized = message.height > 1;
+  if (organized) chooseStep(message.width, message.height, result);
+  const auto cloud = toRawCloud(message, result.step);
   if (!cloud.ok()) return FrameResult::error(cloud.status);
   if (!messages.camera_info) {
-    remarks.emplace_back(
+    result.remarks.emplace_back(
         "there is no camera_info: the camera is recovered from the cloud's grid; publish camera_info, or remap it to "
         "the camera of the image that the cloud is made from");
     return objectness::makeFrame(cloud.value, std::nullopt, config);
   }
-  const auto camera = toPinholeCamera(*messages.camera_info);
-  return camera.ok() ? objectness::makeFrame(cloud.value, camera.value, config) : FrameResult::error(camera.status);
+  auto camera = toPinholeCamera(*messages.camera_info);
+  if (!camera.ok()) return FrameResult::error(camera.status);
+  if (!organized) {
+    // The camera alone says how large the frame becomes.
+    const std::int64_t pixels = static_cast<std::int64_t>(camera.value.width) * camera.value.height;
+    if (pixels > kMaxPixels) {
+      return FrameResult::error(StatusCode::kNotOrganized, "cloud is not organized, and a camera of " +
+                                                               std::to_string(camera.value.width) + " x " +
+                                                               std::to_string(camera.value.height) +
+                                                               " pixels is too large to restore its grid");
+    }
+  } else if (camera.value.width == result.input_width && camera.value.height == result.input_height) {
+    camera.value = thinned(camera.value, result.step);
+  }
+  return objectness::makeFrame(cloud.value, camera.value, config);
 }
 
 /// Colour is not needed: what is wrong with it is a remark.
@@ -48,16 +76,21 @@ cv::Mat usableColor(const InputMessages& messages, const cv::Size& size, std::ve
   return {};
 }
 
-FrameResult depthFrame(const InputMessages& messages, const objectness::InputConfig& config,
-                       std::vector<std::string>& remarks) {
+FrameResult depthFrame(const InputMessages& messages, const objectness::InputConfig& config, SegmentedFrame& result) {
   const auto depth = toDepthImage(*messages.depth);
   if (!depth.ok()) return FrameResult::error(depth.status);
   if (!messages.camera_info) {
     return FrameResult::error(StatusCode::kBadCamera, "a depth image cannot be used without its camera_info");
   }
-  const auto camera = toPinholeCamera(*messages.camera_info);
+  auto camera = toPinholeCamera(*messages.camera_info);
   if (!camera.ok()) return FrameResult::error(camera.status);
-  return objectness::makeFrame(depth.value, usableColor(messages, depth.value.size(), remarks), camera.value, config);
+  const cv::Size size = depth.value.size();
+  chooseStep(static_cast<std::uint32_t>(size.width), static_cast<std::uint32_t>(size.height), result);
+  if (camera.value.width == size.width && camera.value.height == size.height) {
+    camera.value = thinned(camera.value, result.step);
+  }
+  return objectness::makeFrame(thinned(depth.value, result.step),
+                               thinned(usableColor(messages, size, result.remarks), result.step), camera.value, config);
 }
 
 SegmentedFrame failure(const std::string& what) {
@@ -78,8 +111,8 @@ SegmentedFrame segmentMessages(const InputMessages& messages, const objectness::
   try {
     const auto start = std::chrono::steady_clock::now();
     SegmentedFrame result;
-    auto frame = messages.cloud ? cloudFrame(messages, config.input, result.remarks)
-                                : depthFrame(messages, config.input, result.remarks);
+    auto frame =
+        messages.cloud ? cloudFrame(messages, config.input, result) : depthFrame(messages, config.input, result);
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
     result.conversion_ms = elapsed.count();
     if (frame.ok()) {
@@ -88,6 +121,7 @@ SegmentedFrame segmentMessages(const InputMessages& messages, const objectness::
                                   : objectness::segment(result.frame, config, cancel);
     } else {
       result.segmentation.status = std::move(frame.status);
+      result.step = 1;
     }
     return result;
   } catch (const std::exception& e) {

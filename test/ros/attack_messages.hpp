@@ -109,6 +109,11 @@ inline std::vector<Attack> makeAttacks(const std_msgs::Header& header) {
   add("endian flag set", SegmentedObjectArray::BAD_INPUT, "big-endian").cloud.is_bigendian = true;
   add("empty frame_id", SegmentedObjectArray::OK, "").cloud.header.frame_id.clear();
 
+  Attack& vast = add("a list and a vast camera", SegmentedObjectArray::NOT_ORGANIZED, "too large");
+  vast.cloud.width *= vast.cloud.height;
+  vast.cloud.height = 1;
+  vast.camera_info.width = vast.camera_info.height = 10000;
+
   Attack& zeros = add("K of zeros", SegmentedObjectArray::BAD_CAMERA, "not calibrated");
   zeros.camera_info.K.fill(0);
   zeros.camera_info.P.fill(0);

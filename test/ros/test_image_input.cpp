@@ -7,8 +7,10 @@
 #include <cstring>
 #include <limits>
 
+#include "fixtures/ray_cast.hpp"
 #include "fixtures/ros_messages.hpp"
 #include "objectness_segmentation/ros/input_conversions.hpp"
+#include "objectness_segmentation/ros/output_conversions.hpp"
 #include "objectness_segmentation/ros/scene_messages.hpp"
 #include "objectness_segmentation/ros/segment_messages.hpp"
 
@@ -173,6 +175,57 @@ TEST(DepthFrame, RegionOfInterestAndBinningAreThoseOfTheImage) {
   ASSERT_EQ(result.frame.width(), 20) << result.segmentation.status.message;
   EXPECT_NEAR(result.frame.points[0].x(), (0 - 9.75) / 50, 1e-6);
   EXPECT_NEAR(result.frame.points[0].y(), (0 - 4.75) / 50, 1e-6);
+}
+
+TEST(LargeInputs, AreThinnedAndSpokenOfInTheirOwnPixels) {
+  objectness_test::Scene scene;
+  const objectness::PinholeCamera camera{1312.5, 1312.5, 799.5, 599.5, 1600, 1200};  // five times 320 x 240
+  scene.camera = camera;
+  scene.T_world_camera = lookAt({0, -0.65, 0.65}, {0, 0, 0.03});
+  scene.surfaces = {slab(-0.5, -0.35, 0.5, 0.35, 0), box({-0.1, -0.05, 0}, {0.1, 0.05, 0.12})};
+  const objectness::Frame full = scene.render();
+  ASSERT_LT(full.size(), kMaxPixels);
+  ASSERT_GT(4 * full.size(), kMaxPixels);
+  // Twice as wide and high: every point twice, so that half of them are the frame.
+  objectness::Frame doubled;
+  doubled.camera = {2 * camera.fx, 2 * camera.fy, 2 * camera.cx, 2 * camera.cy, 3200, 2400};
+  doubled.points.resize(doubled.size());
+  for (int i = 0; i < doubled.size(); ++i) doubled.points[i] = full.points[i / 3200 / 2 * 1600 + i % 3200 / 2];
+
+  InputMessages messages;
+  messages.cloud = boost::make_shared<sensor_msgs::PointCloud2>(toCloudMessage(doubled, makeHeader()));
+  messages.camera_info = boost::make_shared<sensor_msgs::CameraInfo>(toCameraInfo(doubled.camera, makeHeader()));
+  const SegmentedFrame result = segmentMessages(messages, {}, {}, nullptr);
+  ASSERT_TRUE(result.segmentation.status.ok()) << result.segmentation.status.message;
+  ASSERT_EQ(result.frame.width(), 1600);
+  ASSERT_EQ(result.remarks.size(), 1u);
+  EXPECT_NE(result.remarks[0].find("one in 2 "), std::string::npos) << result.remarks[0];
+  ASSERT_EQ(result.segmentation.segments.size(), 1u);
+
+  const SegmentedObjectArray objects = toObjectsMessage(result, makeHeader());
+  const sensor_msgs::Image labels = toLabelImage(result, makeHeader());
+  ASSERT_EQ(labels.width, 3200u);
+  ASSERT_EQ(labels.height, 2400u);
+  int own = 0;
+  for (const int pixel : objects.objects[0].indices.indices) {
+    own += scene.seen[pixel / 3200 / 2 * 1600 + pixel % 3200 / 2] == 1;
+    EXPECT_EQ(labels.data[2 * pixel], 2);
+  }
+  EXPECT_GT(own, 0.95 * objects.objects[0].indices.indices.size());
+
+  cv::Mat depth(2400, 3200, CV_32FC1);
+  for (int i = 0; i < doubled.size(); ++i) depth.at<float>(i / 3200, i % 3200) = doubled.points[i].z();
+  auto image = boost::make_shared<sensor_msgs::Image>();
+  image->encoding = "32FC1";
+  image->width = 3200;
+  image->height = 2400;
+  image->step = 4 * image->width;
+  image->data.assign(depth.data, depth.data + std::size_t{image->step} * image->height);
+  messages.depth = image;
+  messages.cloud.reset();
+  const SegmentedFrame of_depth = segmentMessages(messages, {}, {}, nullptr);
+  ASSERT_EQ(of_depth.frame.width(), 1600) << of_depth.segmentation.status.message;
+  EXPECT_EQ(of_depth.segmentation.segments.size(), 1u);
 }
 
 TEST(DepthFrame, NeedsACameraOfItsSize) {

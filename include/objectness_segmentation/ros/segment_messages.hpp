@@ -32,8 +32,13 @@ struct SegmentedFrame {
   objectness::Segmentation segmentation;
   std::vector<objectness::Identity> identities;  ///< of the segments; empty: by rank
   std::vector<std::string> remarks;              ///< what is wrong with the input without being in the way
+  int input_width = 0, input_height = 0;         ///< of what came in
+  int step = 1;                                  ///< the frame has every so many-th row and column of it
   double conversion_ms = 0;                      ///< time from messages to frame
 };
+
+/// Inputs of more pixels than this are thinned out: they would only take longer.
+constexpr std::int64_t kMaxPixels = 2100000;
 
 /// From messages to a result: conversion, frame, core. Does not throw: what goes wrong, down to an exception of the
 /// core (kInternalError) or of the system, is in segmentation.status. model: none for the built-in one.

@@ -23,7 +23,7 @@ use_sanitizers() {
 
   # Every process leaves its reports in a file: tools and nodelet managers that a test starts are looked at, too.
   reports_dir=$build_dir/reports
-  local report=log_path=$reports_dir/report
+  local report=log_path=$reports_dir/report:handle_segv=0  # some tests end a process by SIGSEGV
   export TSAN_OPTIONS=$report:suppressions=$suppressions/thread.txt:ignore_noninstrumented_modules=1:second_deadlock_stack=1
   export ASAN_OPTIONS=$report:detect_stack_use_after_return=1:check_initialization_order=1
   export LSAN_OPTIONS=$report:suppressions=$suppressions/address.txt:print_suppressions=0

@@ -2,6 +2,7 @@
 #include "pcd_header.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -45,6 +46,20 @@ struct PcdHeader {
 
 Status bad(const std::string& message) { return Status::error(StatusCode::kBadInput, message); }
 
+bool isText(unsigned char c) { return std::isprint(c) || c == '\t' || c == '\r'; }
+
+/// PCL reads past the end of entries that are fewer than the fields.
+bool perFieldEntriesFit(const PcdHeader& header) {
+  const std::size_t fields = header.entries.at("FIELDS").size();
+  for (const char* key : {"SIZE", "TYPE", "COUNT"}) {
+    const auto found = header.entries.find(key);
+    if (found != header.entries.end() && found->second.size() != fields) return false;
+  }
+  const auto& types = header.entries.at("TYPE");
+  return std::all_of(types.begin(), types.end(),
+                     [](const std::string& type) { return type == "F" || type == "I" || type == "U"; });
+}
+
 Result<PcdHeader> readHeader(std::ifstream& file) {
   Result<PcdHeader> header;
   std::string line;
@@ -56,6 +71,9 @@ Result<PcdHeader> readHeader(std::ifstream& file) {
     std::string key, word;
     words >> key;
     if (key.empty() || key[0] == '#') continue;
+    if (!header.value.entries.empty() && !std::all_of(line.begin(), line.end(), isText)) {
+      return Result<PcdHeader>::error(bad("is damaged: its header is no text"));
+    }
     if (key == "COLUMNS") key = "FIELDS";
     // PCL looks only at how a line begins, and at the last one of a kind.
     if (std::find(std::begin(kKeys), std::end(kKeys), key) == std::end(kKeys)) {
@@ -134,12 +152,13 @@ Result<PcdSize> checkPcdHeader(const std::string& path) {
   if (points != width * height) {
     return unusable("contradicts itself: WIDTH x HEIGHT is " + size_text + ", POINTS is " + std::to_string(points));
   }
+  if (!perFieldEntriesFit(header)) return unusable("has a SIZE, TYPE or COUNT that is wrong or missing in its header");
   std::uint64_t point_bytes = 0;
   for (std::size_t i = 0; i < header.entries.at("FIELDS").size(); ++i) {
     const std::uint64_t size_i = header.perField("SIZE", i), count = header.perField("COUNT", i);
     const bool known = size_i == 1 || size_i == 2 || size_i == 4 || size_i == 8;
     if (!known || count < 1 || count > kMaxPointBytes)
-      return unusable("has a SIZE or COUNT that is wrong or missing in its header");
+      return unusable("has a SIZE, TYPE or COUNT that is wrong or missing in its header");
     point_bytes += size_i * count;
   }
   if (point_bytes == 0 || point_bytes > kMaxPointBytes)

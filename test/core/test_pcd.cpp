@@ -108,6 +108,7 @@ TEST_F(PcdFile, BadFiles) {
               "claims 4000000000 x 4000000000 points");
   expectError(header("WIDTH 32\nHEIGHT 24\nWIDTH 1", "768", "binary") + data(false), "has two lines WIDTH");
   expectError(header("WIDTH 32\nHEIGHT 24\nWIDTHS 1", "768", "binary") + data(false), "has a line 'WIDTHS'");
+  expectError(header("WIDTH 32\nHEIGHT 24\x01", "768", "binary") + data(false), "its header is no text");
   expectError(header("WIDTH 8192\nHEIGHT 8192", "67108864", "binary") + data(false), "is cut off");
   EXPECT_NE(loadPcd(folder_ / "missing.pcd").status.message.find("no such file"), std::string::npos);
 }

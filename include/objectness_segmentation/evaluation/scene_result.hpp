@@ -13,7 +13,7 @@
 
 namespace objectness::evaluation {
 
-/// What one method did in one scene; kept as <report>/results/<method>/<scene>.json.
+/// What one method did in one scene; kept as \<report\>/results/\<method\>/\<scene\>.json.
 struct SceneResult {
   enum class State {
     kDone,
@@ -36,7 +36,7 @@ struct SceneResult {
   std::optional<double> totalMs() const;
 };
 
-/// <report>/results/<method>/<scene> without an extension.
+/// \<report\>/results/\<method\>/\<scene\> without an extension.
 std::string resultPath(const std::string& report, const std::string& method, const std::string& scene);
 
 Status saveResult(const std::string& report, const SceneResult& result);

@@ -23,7 +23,7 @@ struct SceneList {
 
 /// Finds the scenes of `paths`, each a scene folder or a data set: a folder of scene folders, taken in the order of
 /// their names; those without labels.png are left out with a note. Groups come from `groups_file` (CSV with the columns
-/// scene and group), or when it is empty from groups.csv in the data set's folder or <data set>_groups.csv beside it.
+/// scene and group), or when it is empty from groups.csv in the data set's folder or \<data set\>_groups.csv beside it.
 /// kBadInput: a groups file that cannot be read.
 Result<SceneList> findScenes(const std::vector<std::string>& paths, const std::string& groups_file);
 

@@ -86,7 +86,7 @@ def figures(results, simulated):
         Figure("the same, 14 to 16 objects", "ms", 50, over(angles, *MANY)),
         Figure("frame, `paper`, 2 to 3 objects", "ms", 33, over(wall(*paper), *FEW)),
         Figure("frame, `paper`, 14 to 16 objects, every box over the threshold", "ms", 66, over(wall(*paper), *MANY)),
-        Figure("frame, `paper`, 14 to 16 objects, the best boxes", "ms", 33, over(wall(*best), *MANY)),
+        Figure("frame, `paper`, 14 to 16 objects, the 1000 best boxes", "ms", 33, over(wall(*best), *MANY)),
         Figure("frame, `objectness`, 2 to 3 objects", "ms", 33, over(wall(*default), *FEW)),
         Figure("frame, `objectness`, 14 to 20 objects", "ms", 50, over(wall(*default), *MOST)),
         Figure("frame, `objectness`, against LCCP after the same normals and table, 2 to 3 objects", "", 0.5,

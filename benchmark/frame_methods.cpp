@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "frame_methods.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
-#include "objectness_segmentation/config_fields.hpp"
 #include "objectness_segmentation/io/config_yaml.hpp"
 #include "objectness_segmentation/peers/peers.hpp"
 #include "objectness_segmentation/pipeline.hpp"
@@ -12,9 +10,7 @@
 namespace objectness::benchmarks {
 namespace {
 
-/// How many boxes the paper's method keeps in top-K mode, as a parameter.
-constexpr const char* kTopKField = "search.top_k";
-constexpr const char* kTopK = "1000";
+constexpr int kTopK = 1000;
 
 Config withThreads() {
   Config config;
@@ -24,11 +20,6 @@ Config withThreads() {
 
 void require(const Status& status) {
   if (!status.ok()) throw std::runtime_error(status.message);
-}
-
-bool hasField(Config config, const std::string& name) {
-  const std::vector<ConfigField> fields = configFields(config);
-  return std::any_of(fields.begin(), fields.end(), [&](const ConfigField& f) { return f.fullName() == name; });
 }
 
 FrameMethod ownMethod(const std::string& name, const std::string& volume, const Config& config) {
@@ -55,12 +46,9 @@ std::vector<VolumeOfInterest> volumesOfInterest() {
 std::vector<FrameMethod> frameMethods() {
   std::vector<FrameMethod> methods{ownMethod("objectness", "none", withThreads())};
   for (const auto& [volume, config] : volumesOfInterest()) methods.push_back(ownMethod("paper", volume, config));
-  if (hasField({}, kTopKField)) {
-    for (const auto& [volume, config] : volumesOfInterest()) {
-      Config best = config;
-      require(setParameters({std::string(kTopKField) + "=" + kTopK}, best));
-      methods.push_back(ownMethod("paper_top_k", volume, best));
-    }
+  for (auto [volume, config] : volumesOfInterest()) {
+    config.search.top_k = kTopK;
+    methods.push_back(ownMethod("paper_top_k", volume, config));
   }
   for (const bool pcl_normals : {false, true}) {
     methods.push_back(peerMethod(Peer::kMps, pcl_normals));

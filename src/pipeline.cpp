@@ -76,21 +76,21 @@ Normals seeScene(const Frame& frame, const Config& config, const Stages& stage, 
   const int threads = config.runtime.threads;
   // Sec. 2: the dominant plane, and the points above it.
   Normals normals = stage("normals", [&] { return estimateNormals(frame, config.normals, {}, threads); });
-  Result<Table> found = stage("table", [&] { return findTable(frame, normals, config.table); });
+  Result<Table> found = stage("table", [&] { return findTable(frame, normals, config.table, threads); });
   result.status = found.status;
   result.table = std::move(found.value);
   if (!result.status.ok()) return normals;
-  normals =
-      stage("refined_normals", [&] { return refineNormals(frame, std::move(normals), result.table, config.normals); });
-  const ObjectPoints& above = result.object_points =
-      stage("object_points", [&] { return findObjectPoints(frame, normals, result.table, config.object_points); });
+  normals = stage("refined_normals",
+                  [&] { return refineNormals(frame, std::move(normals), result.table, config.normals, threads); });
+  const ObjectPoints& above = result.object_points = stage(
+      "object_points", [&] { return findObjectPoints(frame, normals, result.table, config.object_points, threads); });
 
   // Sec. 2.3 and 3.1 to 3.3: edges and smooth superpixels.
-  result.edges = stage("edges", [&] { return findEdges(frame, normals, result.table, above, config.edges); });
+  result.edges = stage("edges", [&] { return findEdges(frame, normals, result.table, above, config.edges, threads); });
   const SuperpixelsConfig superpixels =
       config.grouping.enabled ? config.superpixels : superpixelsForBoxes(config.superpixels);
   result.superpixels =
-      stage("superpixels", [&] { return findSuperpixels(frame, normals, result.table, above, superpixels); });
+      stage("superpixels", [&] { return findSuperpixels(frame, normals, result.table, above, superpixels, threads); });
   stage.count("superpixels", result.superpixels.count);
   return normals;
 }
@@ -178,7 +178,7 @@ void groupPieces(const Frame& frame, const Config& config, const LearnedObjectne
                  const Normals& normals, Segmentation& result) {
   const PieceGraph graph = stage("pieces", [&] {
     return findPieceGraph(frame, normals, result.table, result.object_points, result.superpixels, config.pieces,
-                          config.links);
+                          config.links, config.runtime.threads);
   });
   stage.count("pieces", graph.pieces.count());
   stage.count("pairs", graph.pairs.size());

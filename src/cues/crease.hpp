@@ -23,15 +23,19 @@ struct BendMap {
 };
 
 /// Bends of the pixels where `where` is set.
-BendMap findBends(const Frame& frame, const Normals& normals, const cv::Mat_<uchar>& where);
+BendMap findBends(const Frame& frame, const Normals& normals, const cv::Mat_<uchar>& where, int threads = 1);
 
 /// How far the surface steps to the side at a pixel, metres: the distance between the planes fitted to the windows that
 /// end on either side of it, seen from both. A bend, convex or concave, is no step. 0 where no windows can be compared.
 float stepAt(const Frame& frame, const Normals& normals, const cv::Mat_<uchar>& where, int u, int v);
 
+/// stepAt() of the pixels of rows first..last-1 where `where` is set, 0 elsewhere.
+void findStepsInRows(const Frame& frame, const Normals& normals, const cv::Mat_<uchar>& where, int first, int last,
+                     cv::Mat_<float>& steps);
+
 /// The ridge lines of the bends, one pixel wide: 255 where a bend of at least min_angle_deg is the sharpest within one
 /// window radius across its line.
-cv::Mat_<uchar> thinCreases(const BendMap& bends, const Normals& normals, double min_angle_deg);
+cv::Mat_<uchar> thinCreases(const BendMap& bends, const Normals& normals, double min_angle_deg, int threads = 1);
 
 /// An angle on the scale of BendMap.
 double bendOf(double angle_deg);

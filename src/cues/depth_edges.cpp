@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
 #include <vector>
 
 #include "crease.hpp"
+#include "depth_edge_kernel.hpp"
 #include "edge_detectors.hpp"
+#include "objectness_segmentation/common/row_bands.hpp"
 
 namespace objectness {
 namespace {
 
 constexpr uchar kContinues = kBorder << 1;  // working bit: the same surface, or another one, lies across the gap
-constexpr int kNone = -1;
 
 class DepthEdgeFinder {
  public:
@@ -22,27 +26,71 @@ class DepthEdgeFinder {
         focal_(frame.camera.focal()),
         kinds_(cv::Mat_<uchar>::zeros(frame.height(), frame.width())) {}
 
-  cv::Mat_<uchar> run() {
-    const int width = frame_.width(), height = frame_.height();
-    std::vector<int> above(width, kNone);  // last valid row of every column
-    for (int v = 0; v < height; ++v) {
-      int left = kNone;
-      for (int u = 0; u < width; ++u) {
-        if (!valid(v * width + u)) continue;
-        const int pixel = v * width + u;
-        if (left != kNone) compare(v * width + left, pixel, u - left);
-        if (above[u] != kNone) compare(above[u] * width + u, pixel, v - above[u]);
-        left = u;
-        above[u] = v;
-      }
-    }
-    for (int v = 0; v < height; ++v) {
-      for (int u = 0; u < width; ++u) markBorder(u, v);
-    }
+  cv::Mat_<uchar> run(int threads) {
+    const cv::Mat_<uchar> places = interestingPlaces(threads);
+    forEachSet(places, [&](int pixel, uchar bits) {
+      if (bits & kUnlikeLeft) compareWithNext(pixel, -1, pixel % frame_.width());
+      if (bits & kUnlikeAbove) compareWithNext(pixel, -frame_.width(), pixel / frame_.width());
+    });
+    forEachSet(places, [&](int pixel, uchar bits) {
+      if (bits & kBesideHole) markBorder(pixel);
+    });
     return kinds_;
   }
 
  private:
+  /// Where anything is to be done: bits of markDepthChanges().
+  cv::Mat_<uchar> interestingPlaces(int threads) const {
+    const int width = frame_.width(), height = frame_.height();
+    // A little under the step: single precision must not lose one.
+    const float min_step_m = static_cast<float>(config_.step_m * (1 - 1e-6));
+    cv::Mat_<uchar> places(height, width);
+    forRowBands(height, threads, [&](int first, int last) {
+      const float nan = std::numeric_limits<float>::quiet_NaN();
+      std::vector<float> rows[3];
+      for (auto& row : rows) row.assign(width + 2, nan);
+      const auto load = [&](int v) {
+        float* row = rows[(v + 3) % 3].data() + 1;
+        for (int u = 0; u < width; ++u) {
+          row[u] = v < 0 || v >= height ? nan : frame_.points[std::size_t(v) * width + u].z();
+        }
+      };
+      load(first - 1);
+      load(first);
+      for (int v = first; v < last; ++v) {
+        load(v + 1);
+        markDepthChanges(rows[(v + 2) % 3].data() + 1, rows[v % 3].data() + 1, rows[(v + 1) % 3].data() + 1, width,
+                         min_step_m, places[v]);
+      }
+    });
+    return places;
+  }
+
+  /// Calls visit(pixel, bits) for the few pixels that have any.
+  template <class Visit>
+  static void forEachSet(const cv::Mat_<uchar>& places, Visit&& visit) {
+    const int size = static_cast<int>(places.total());
+    for (int i = 0; i < size;) {
+      std::uint64_t eight = 1;
+      if (i + 8 <= size) std::memcpy(&eight, places.data + i, 8);
+      if (eight == 0) {
+        i += 8;
+        continue;
+      }
+      if (places.data[i] != 0) visit(i, places.data[i]);
+      ++i;
+    }
+  }
+
+  /// Compares a pixel with the next valid one in a direction, at most `room` steps away.
+  void compareWithNext(int pixel, int stride, int room) {
+    for (int steps = 1, other = pixel + stride; steps <= room; ++steps, other += stride) {
+      if (!valid(other)) continue;
+      compare(other, pixel, steps);
+      return;
+    }
+  }
+
   bool valid(int pixel) const { return !std::isnan(frame_.points[pixel].z()); }
 
   /// The normal at the rim of a gap: of the nearest pixel away from it that has one; windows shrink to nothing there.
@@ -84,16 +132,12 @@ class DepthEdgeFinder {
     }
   }
 
-  void markBorder(int u, int v) {
-    const int width = frame_.width(), pixel = v * width + u;
+  /// For pixels beside missing depth or the outside.
+  void markBorder(int pixel) {
     uchar& kinds = kinds_(pixel);
-    const bool in_question = !(kinds & (kOccluding | kOccluded | kContinues)) && valid(pixel);
+    const bool in_question = !(kinds & (kOccluding | kOccluded | kContinues));
     kinds &= ~kContinues;
-    if (!in_question) return;
-    const bool on_frame = u == 0 || v == 0 || u + 1 == width || v + 1 == frame_.height();
-    if (on_frame || !valid(pixel - 1) || !valid(pixel + 1) || !valid(pixel - width) || !valid(pixel + width)) {
-      kinds |= kBorder;
-    }
+    if (in_question) kinds |= kBorder;
   }
 
   const Frame& frame_;
@@ -107,8 +151,8 @@ class DepthEdgeFinder {
 }  // namespace
 
 cv::Mat_<uchar> findDepthEdges(const Frame& frame, const Normals& normals, const DepthNoise& noise,
-                               const EdgesConfig& config) {
-  return DepthEdgeFinder(frame, normals, noise, config).run();
+                               const EdgesConfig& config, int threads) {
+  return DepthEdgeFinder(frame, normals, noise, config).run(threads);
 }
 
 }  // namespace objectness

@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "../scene/mask_parts.hpp"
 #include "crease.hpp"
 #include "edge_detectors.hpp"
 
@@ -40,10 +41,10 @@ int widestWindow(const Normals& normals, const ObjectPoints& object_points) {
 
 cv::Mat_<uchar> findMetricEdges(const Frame& frame, const Normals& normals, const Table& table,
                                 const ObjectPoints& object_points, const cv::Mat_<uchar>& around_objects,
-                                const EdgesConfig& config) {
-  cv::Mat_<uchar> kinds = findDepthEdges(frame, normals, table.noise, config);
-  const BendMap bends = findBends(frame, normals, around_objects);
-  const cv::Mat_<uchar> creases = thinCreases(bends, normals, config.crease_deg);
+                                const EdgesConfig& config, int threads) {
+  cv::Mat_<uchar> kinds = findDepthEdges(frame, normals, table.noise, config, threads);
+  const BendMap bends = findBends(frame, normals, around_objects, threads);
+  const cv::Mat_<uchar> creases = thinCreases(bends, normals, config.crease_deg, threads);
   // Outside the objects' mask only where one meets the table: a concave crease.
   kinds.setTo(kHighCurvature, creases & (kinds == 0) & (object_points.mask | (bends.concave > bends.convex)));
   return kinds;
@@ -80,30 +81,31 @@ cv::Mat_<uchar> cleaned(const cv::Mat_<uchar>& kinds, const Frame& frame, const 
 
 /// Drops connected edges that span less than min_length_m: noise around holes and at the rim of what depth is measured.
 void dropSpecks(const Frame& frame, double min_length_m, cv::Mat_<uchar>& kinds) {
-  cv::Mat_<int> piece, stats;
-  cv::Mat centroids;
-  const int count = cv::connectedComponentsWithStats(kinds, piece, stats, centroids, 8, CV_32S);
-  std::vector<double> nearest(count, std::numeric_limits<double>::max());
-  for (int i = 0; i < frame.size(); ++i) {
-    if (piece(i)) nearest[piece(i)] = std::min<double>(nearest[piece(i)], frame.points[i].z());
+  const MaskParts parts = findParts(kinds, Neighbours::kEight);
+  std::vector<cv::Rect> boxes(parts.count);
+  std::vector<double> nearest(parts.count, std::numeric_limits<double>::max());
+  for (const Run& run : parts.runs) {
+    boxes[run.part] |= cv::Rect(run.first, run.row, run.last - run.first, 1);
+    for (int u = run.first; u < run.last; ++u) {
+      nearest[run.part] = std::min<double>(nearest[run.part], frame.points[run.row * frame.width() + u].z());
+    }
   }
-  for (int i = 0; i < frame.size(); ++i) {
-    const int p = piece(i);
-    if (p == 0) continue;
-    const int length_px = std::max(stats(p, cv::CC_STAT_WIDTH), stats(p, cv::CC_STAT_HEIGHT));
-    if (length_px * nearest[p] < min_length_m * frame.camera.focal()) kinds(i) = 0;
+  for (const Run& run : parts.runs) {
+    const int length_px = std::max(boxes[run.part].width, boxes[run.part].height);
+    if (length_px * nearest[run.part] >= min_length_m * frame.camera.focal()) continue;
+    std::fill(kinds[run.row] + run.first, kinds[run.row] + run.last, uchar(0));
   }
 }
 
 }  // namespace
 
 EdgeMap findEdges(const Frame& frame, const Normals& normals, const Table& table, const ObjectPoints& object_points,
-                  const EdgesConfig& config) {
+                  const EdgesConfig& config, int threads) {
   const int window = widestWindow(normals, object_points);
   const cv::Mat_<uchar> near_objects = grown(object_points.mask, window);
   const cv::Mat_<uchar> found =
       config.pcl ? findPclEdges(frame, normals)
-                 : findMetricEdges(frame, normals, table, object_points, grown(near_objects, window), config);
+                 : findMetricEdges(frame, normals, table, object_points, grown(near_objects, window), config, threads);
   cv::Mat_<uchar> kinds = cleaned(found, frame, table, object_points, near_objects);
   dropSpecks(frame, config.min_length_m, kinds);
   return {kinds};

@@ -8,6 +8,7 @@
 
 #include "crease.hpp"
 #include "grown_pieces.hpp"
+#include "objectness_segmentation/common/row_bands.hpp"
 
 namespace objectness {
 namespace {
@@ -17,40 +18,50 @@ constexpr int kTableStride = 5;            // every so many pixels are plenty fo
 
 /// Median over the table of a length per z^2: it holds the noise of this sensor in this frame.
 template <class Length>
-double tableMedian(const Frame& frame, const Normals& normals, const ObjectPoints& object_points, Length&& length_m) {
-  std::vector<float> lengths;
-  for (int i = 0; i < frame.size(); i += kTableStride) {
-    const float z = frame.points[i].z();
-    if (object_points.on_table(i) && normals.radius_px[i] > 0) lengths.push_back(length_m(i) / (z * z));
-  }
-  if (lengths.empty()) return 0;
-  const auto middle = lengths.begin() + lengths.size() / 2;
-  std::nth_element(lengths.begin(), middle, lengths.end());
+double tableMedian(const Frame& frame, const Normals& normals, const ObjectPoints& object_points, int threads,
+                   Length&& length_m) {
+  constexpr int kBands = 16;
+  std::vector<float> lengths[kBands];
+  const int samples = (frame.size() + kTableStride - 1) / kTableStride;
+  parallelFor(kBands, threads, [&](int band) {
+    for (int k = samples * band / kBands; k < samples * (band + 1) / kBands; ++k) {
+      const int i = k * kTableStride;
+      const float z = frame.points[i].z();
+      if (object_points.on_table(i) && normals.radius_px[i] > 0) lengths[band].push_back(length_m(i) / (z * z));
+    }
+  });
+  std::vector<float> all;
+  for (const auto& part : lengths) all.insert(all.end(), part.begin(), part.end());
+  if (all.empty()) return 0;
+  const auto middle = all.begin() + all.size() / 2;
+  std::nth_element(all.begin(), middle, all.end());
   return *middle;
 }
 
 /// Object points whose window is one smooth piece of surface: not fitted badly, not bent, no step.
 cv::Mat_<uchar> smoothPixels(const Frame& frame, const Normals& normals, const ObjectPoints& object_points,
-                             const SuperpixelsConfig& config) {
+                             const SuperpixelsConfig& config, int threads) {
   const auto residual = [&](int i) { return normals.residual_m[i]; };
   const bool steps = std::isfinite(config.min_step_m);  // superpixelsForBoxes() has none: no time for them either
-  const auto step = [&](const cv::Mat_<uchar>& where, int i) {
-    return !steps ? 0.f : stepAt(frame, normals, where, i % frame.width(), i / frame.width());
+  const auto tableStep = [&](int i) {
+    return !steps ? 0.f : stepAt(frame, normals, object_points.on_table, i % frame.width(), i / frame.width());
   };
-  const double max_residual = config.max_residuals * tableMedian(frame, normals, object_points, residual);
-  const double max_step = config.max_steps * tableMedian(frame, normals, object_points,
-                                                         [&](int i) { return step(object_points.on_table, i); });
+  const double max_residual = config.max_residuals * tableMedian(frame, normals, object_points, threads, residual);
+  const double max_step = config.max_steps * tableMedian(frame, normals, object_points, threads, tableStep);
   const double max_concave = bendOf(config.concave_deg), max_convex = bendOf(config.convex_deg);
-  const BendMap bends = findBends(frame, normals, object_points.mask);
-  cv::Mat_<uchar> smooth(frame.height(), frame.width(), uchar(0));
-  for (int i = 0; i < frame.size(); ++i) {
-    if (!object_points.mask(i) || normals.radius_px[i] < kMinWindowPx) continue;
+  const BendMap bends = findBends(frame, normals, object_points.mask, threads);
+  cv::Mat_<uchar> smooth(frame.height(), frame.width());
+  cv::Mat_<float> step(smooth.size());
+  const auto isSmooth = [&](int i) {
+    if (!object_points.mask(i) || normals.radius_px[i] < kMinWindowPx) return false;
     const double z = frame.points[i].z();
-    const bool cut = residual(i) > std::max(kResidualFloor, max_residual * z * z) || bends.concave(i) > max_concave ||
-                     bends.convex(i) > max_convex ||
-                     step(object_points.mask, i) > std::max(config.min_step_m, max_step * z * z);
-    smooth(i) = cut ? 0 : 255;
-  }
+    return !(residual(i) > std::max(kResidualFloor, max_residual * z * z) || bends.concave(i) > max_concave ||
+             bends.convex(i) > max_convex || (steps && step(i) > std::max(config.min_step_m, max_step * z * z)));
+  };
+  forRowBands(frame.height(), threads, [&](int first, int last) {
+    if (steps) findStepsInRows(frame, normals, object_points.mask, first, last, step);
+    for (int i = first * frame.width(); i < last * frame.width(); ++i) smooth(i) = isSmooth(i) ? 255 : 0;
+  });
   return smooth;
 }
 
@@ -63,16 +74,16 @@ SuperpixelsConfig superpixelsForBoxes(SuperpixelsConfig config) {
 }
 
 Superpixels findSuperpixels(const Frame& frame, const Normals& normals, const Table& table,
-                            const ObjectPoints& object_points, const SuperpixelsConfig& config) {
-  Superpixels superpixels{cv::Mat_<int>::zeros(frame.height(), frame.width()), 0};
-  const std::vector<int> pieces =
-      growPieces(frame, normals, table.noise, smoothPixels(frame, normals, object_points, config), config);
-  std::vector<int> label(frame.size(), 0);  // of a piece
+                            const ObjectPoints& object_points, const SuperpixelsConfig& config, int threads) {
+  const cv::Mat_<uchar> smooth = smoothPixels(frame, normals, object_points, config, threads);
+  Superpixels superpixels{growPieces(frame, normals, table.noise, smooth, config, threads), 0};
   for (int i = 0; i < frame.size(); ++i) {
-    if (pieces[i] < 0) continue;
-    int& own = label[pieces[i]];
-    if (own == 0) own = ++superpixels.count;
-    superpixels.label(i) = own;
+    int& label = superpixels.label(i);
+    if (label < 0) {
+      label = 0;
+    } else {
+      label = label == i ? ++superpixels.count : superpixels.label(label);  // its first pixel names a piece
+    }
   }
   return superpixels;
 }

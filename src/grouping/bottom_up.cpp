@@ -8,11 +8,12 @@ namespace objectness {
 
 PieceGraph findPieceGraph(const Frame& frame, const Normals& normals, const Table& table,
                           const ObjectPoints& object_points, const Superpixels& superpixels, const PiecesConfig& pieces,
-                          const LinksConfig& links) {
+                          const LinksConfig& links, int threads) {
   PieceGraph graph;
-  graph.pieces = findPieces(frame, normals, object_points, superpixels, pieces);
+  graph.pieces = findPieces(frame, normals, object_points, superpixels, pieces, threads);
   graph.borders = findBorders(frame, object_points, graph.pieces);
-  graph.pairs = findPairEvidence(frame, normals, table, object_points, superpixels, graph.pieces, graph.borders, links);
+  graph.pairs =
+      findPairEvidence(frame, normals, table, object_points, superpixels, graph.pieces, graph.borders, links, threads);
   return graph;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/grouping/links.hpp"
 
+#include "objectness_segmentation/common/parallel.hpp"
 #include "objectness_segmentation/learning/cue_list.hpp"
 
 namespace objectness {
@@ -12,22 +13,28 @@ constexpr int kOutlinePixels = 64;  // of a piece: gaps are wide, their cues are
 
 std::vector<PairEvidence> findPairEvidence(const Frame& frame, const Normals& normals, const Table& table,
                                            const ObjectPoints& object_points, const Superpixels& superpixels,
-                                           const Pieces& pieces, const Borders& borders, const LinksConfig& config) {
-  std::vector<PairEvidence> evidence;
+                                           const Pieces& pieces, const Borders& borders, const LinksConfig& config,
+                                           int threads) {
   const std::vector<std::vector<int>> outlines = outlinePixels(pieces, kOutlinePixels);
-  for (int first = 0; first < pieces.count(); ++first) {
-    for (int second = first + 1; second < pieces.count(); ++second) {
-      const auto border = borders.pairs.find({first, second});
-      if (border != borders.pairs.end() && !border->second.samples.empty()) {
-        const ContactCues cues = findContactCues(frame, normals, table, superpixels, pieces, borders, first, second);
-        evidence.push_back({first, second, config.contact_cues(cues)});
-        continue;
-      }
-      if (!config.gaps) continue;
-      const auto gap = findGapCues(frame, table, object_points, pieces, outlines, first, second, config.max_gap_m);
-      if (gap) evidence.push_back({first, second, config.gap_cues(*gap)});
+  const auto evidenceOf = [&](int first, int second) -> std::optional<PairEvidence> {
+    const auto border = borders.pairs.find({first, second});
+    if (border != borders.pairs.end() && !border->second.samples.empty()) {
+      const ContactCues cues = findContactCues(frame, normals, table, superpixels, pieces, borders, first, second);
+      return PairEvidence{first, second, config.contact_cues(cues)};
     }
-  }
+    if (!config.gaps) return std::nullopt;
+    const auto gap = findGapCues(frame, table, object_points, pieces, outlines, first, second, config.max_gap_m);
+    if (!gap) return std::nullopt;
+    return PairEvidence{first, second, config.gap_cues(*gap)};
+  };
+  std::vector<std::vector<PairEvidence>> by_first(pieces.count());
+  parallelFor(pieces.count(), threads, [&](int first) {
+    for (int second = first + 1; second < pieces.count(); ++second) {
+      if (const auto pair = evidenceOf(first, second)) by_first[first].push_back(*pair);
+    }
+  });
+  std::vector<PairEvidence> evidence;
+  for (const auto& pairs : by_first) evidence.insert(evidence.end(), pairs.begin(), pairs.end());
   return evidence;
 }
 

@@ -13,11 +13,12 @@ double pixelArea(const Frame& frame, int pixel) {
 }
 
 /// Connected points that no superpixel reaches become pieces when they show enough surface.
-void addRoughParts(const Frame& frame, const ObjectPoints& object_points, const PiecesConfig& config, Pieces& pieces) {
+void addRoughParts(const Frame& frame, const ObjectPoints& object_points, const PiecesConfig& config, int threads,
+                   Pieces& pieces) {
   cv::Mat_<uchar> rest = (pieces.label < 0) & object_points.mask;
   int count = 0;
   const Gap gap{static_cast<float>(config.max_step_m), 0, 0, {}};
-  const cv::Mat_<int> part = connectPoints(frame.points, rest, gap, count);
+  const cv::Mat_<int> part = connectPoints(frame.points, rest, gap, count, threads);
   std::vector<int> pixels(count + 1, 0), piece_of(count + 1, -1);
   std::vector<double> area(count + 1, 0);
   for (int i = 0; i < frame.size(); ++i) {
@@ -54,12 +55,12 @@ void describe(const Frame& frame, const Normals& normals, const Superpixels& sup
 }  // namespace
 
 Pieces findPieces(const Frame& frame, const Normals& normals, const ObjectPoints& object_points,
-                  const Superpixels& superpixels, const PiecesConfig& config) {
+                  const Superpixels& superpixels, const PiecesConfig& config, int threads) {
   Pieces pieces;
   pieces.label = superpixels.label - 1;
   pieces.pieces.resize(superpixels.count);
   assignGeodesic(frame, object_points.mask, {config.max_step_m, config.max_reach_m}, pieces.label);
-  addRoughParts(frame, object_points, config, pieces);
+  addRoughParts(frame, object_points, config, threads, pieces);
   describe(frame, normals, superpixels, pieces);
   return pieces;
 }

@@ -3,28 +3,98 @@
 
 #include <algorithm>
 
+#include "objectness_segmentation/common/row_bands.hpp"
+#include "unions.hpp"
+
 namespace objectness {
 namespace {
 
-/// Labels that turn out to be the same; the root of a set is its smallest label.
-class Unions {
+constexpr int kRowsPerBand = 60;
+
+/// Labels the rows of a mask, band by band: each band has labels 1, 2, ... of its own.
+class PointConnector {
  public:
-  int create() {
-    parent_.push_back(static_cast<int>(parent_.size()));
-    return parent_.back();
+  PointConnector(const std::vector<Eigen::Vector3f>& points, const cv::Mat_<uchar>& mask, const Gap& gap)
+      : points_(points), mask_(mask), gap_(gap), labels_(mask.rows, mask.cols) {}
+
+  cv::Mat_<int> run(int threads, int& count) {
+    std::vector<Unions> bands((mask_.rows + kRowsPerBand - 1) / kRowsPerBand);
+    forRows(threads, [&](int first, int last) { labelBand(first, last, bands[first / kRowsPerBand]); });
+
+    // One label space for all bands, and the sets that meet at their borders.
+    std::vector<int> offset;
+    Unions all;
+    all.create();  // 0: none
+    for (Unions& band : bands) {
+      offset.push_back(all.size() - 1);
+      for (int k = 1; k < band.size(); ++k) all.create();
+      for (int k = 1; k < band.size(); ++k) all.join(offset.back() + k, offset.back() + band.root(k));
+    }
+    for (std::size_t b = 1; b < bands.size(); ++b) joinAcross(static_cast<int>(b), offset, all);
+    const std::vector<int> number = all.numbers(count);
+    --count;
+    forRows(threads, [&](int first, int last) {
+      const int* final_label = number.data() + offset[first / kRowsPerBand];
+      for (int* label = labels_[first]; label != labels_[first] + (last - first) * mask_.cols; ++label) {
+        if (*label > 0) *label = final_label[*label];
+      }
+    });
+    return labels_;
   }
-  int root(int label) {
-    while (parent_[label] != label) label = parent_[label] = parent_[parent_[label]];
-    return label;
-  }
-  int join(int a, int b) {
-    a = root(a), b = root(b);
-    return parent_[std::max(a, b)] = std::min(a, b);
-  }
-  int size() const { return static_cast<int>(parent_.size()); }
 
  private:
-  std::vector<int> parent_{0};  // label 0 = none
+  template <class Work>
+  void forRows(int threads, Work&& work) const {
+    forRowBands(mask_.rows, threads, work, kRowsPerBand);
+  }
+
+  bool near(int pixel, int other, float reach) const {
+    return !((points_[other] - points_[pixel]).squaredNorm() > reach * reach);
+  }
+
+  void labelBand(int first, int last, Unions& unions) {
+    unions.create();  // 0: none
+    const int width = mask_.cols;
+    const int offsets[4] = {-1, -width - 1, -width, -width + 1};
+    int* labels = labels_[0];
+    for (int v = first, i = first * width; v < last; ++v) {
+      for (int u = 0; u < width; ++u, ++i) {
+        labels[i] = 0;
+        if (mask_.data[i] == 0) continue;
+        const float reach = gap_.at(points_[i].z());
+        const bool has_above = v > first;
+        const bool exists[4] = {u > 0, u > 0 && has_above, has_above, u + 1 < width && has_above};
+        for (int k = 0; k < 4; ++k) {
+          if (!exists[k]) continue;
+          const int other = labels[i + offsets[k]];
+          if (other == 0 || other == labels[i] || !near(i, i + offsets[k], reach)) continue;
+          labels[i] = labels[i] == 0 ? other : unions.join(labels[i], other);
+        }
+        if (labels[i] == 0) labels[i] = unions.create();
+      }
+    }
+  }
+
+  /// Joins what the first row of a band has in common with the row above it.
+  void joinAcross(int band, const std::vector<int>& offset, Unions& all) const {
+    const int width = mask_.cols, v = band * kRowsPerBand;
+    const int* labels = labels_[0];
+    for (int u = 0; u < width; ++u) {
+      const int i = v * width + u;
+      if (labels[i] == 0) continue;
+      const float reach = gap_.at(points_[i].z());
+      for (int x = std::max(0, u - 1); x <= std::min(width - 1, u + 1); ++x) {
+        const int other = (v - 1) * width + x;
+        if (labels[other] == 0 || !near(i, other, reach)) continue;
+        all.join(offset[band] + labels[i], offset[band - 1] + labels[other]);
+      }
+    }
+  }
+
+  const std::vector<Eigen::Vector3f>& points_;
+  const cv::Mat_<uchar>& mask_;
+  const Gap gap_;
+  cv::Mat_<int> labels_;
 };
 
 }  // namespace
@@ -34,33 +104,8 @@ float Gap::at(float z) const {
 }
 
 cv::Mat_<int> connectPoints(const std::vector<Eigen::Vector3f>& points, const cv::Mat_<uchar>& mask, const Gap& gap,
-                            int& count) {
-  const int width = mask.cols, height = mask.rows;
-  cv::Mat_<int> label(height, width, 0);
-  int* labels = label.ptr<int>();
-  Unions unions;
-  const int offsets[4] = {-1, -width - 1, -width, -width + 1};
-  for (int v = 0, i = 0; v < height; ++v) {
-    for (int u = 0; u < width; ++u, ++i) {
-      if (mask.data[i] == 0) continue;
-      const Eigen::Vector3f& p = points[i];
-      const float reach = gap.at(p.z());
-      const bool exists[4] = {u > 0, u > 0 && v > 0, v > 0, u + 1 < width && v > 0};
-      for (int k = 0; k < 4; ++k) {
-        if (!exists[k]) continue;
-        const int other = labels[i + offsets[k]];
-        if (other == 0 || other == labels[i]) continue;
-        if ((points[i + offsets[k]] - p).squaredNorm() > reach * reach) continue;
-        labels[i] = labels[i] == 0 ? other : unions.join(labels[i], other);
-      }
-      if (labels[i] == 0) labels[i] = unions.create();
-    }
-  }
-  std::vector<int> final_label(unions.size(), 0);
-  count = 0;
-  for (int k = 1; k < unions.size(); ++k) final_label[k] = unions.root(k) == k ? ++count : final_label[unions.root(k)];
-  for (int i = 0; i < width * height; ++i) labels[i] = final_label[labels[i]];
-  return label;
+                            int& count, int threads) {
+  return PointConnector(points, mask, gap).run(threads, count);
 }
 
 }  // namespace objectness

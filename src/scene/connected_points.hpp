@@ -18,6 +18,6 @@ struct Gap {
 /// Labels the connected parts (8 neighbours, gap in space) of a mask; `points` has the mask's size, row-major, and is
 /// valid wherever the mask is set. 0 = not in the mask, 1..count = part, in the order of their first pixels.
 cv::Mat_<int> connectPoints(const std::vector<Eigen::Vector3f>& points, const cv::Mat_<uchar>& mask, const Gap& gap,
-                            int& count);
+                            int& count, int threads = 1);
 
 }  // namespace objectness

@@ -6,6 +6,9 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
+#include "height_kernel.hpp"
+#include "mask_parts.hpp"
+#include "objectness_segmentation/common/row_bands.hpp"
 #include "surface_samples.hpp"
 
 namespace objectness {
@@ -15,54 +18,65 @@ constexpr float kLowShare = 0.6f;  // of the threshold, for pixels next to certa
 constexpr int kLowReachPx = 3;
 constexpr int kMinSeedPixels = 40;  // smaller specks over the threshold are noise
 
-}  // namespace
-
-HeightMap makeHeightMap(const Frame& frame, const Table& table, const ObjectPointsConfig& config) {
-  const int width = frame.width(), height = frame.height();
-  HeightMap map{cv::Mat_<float>(height, width), cv::Mat_<float>(height, width),
-                cv::Mat_<uchar>(height, width, uchar(0))};
+HeightRule heightRule(const Table& table, const ObjectPointsConfig& config) {
   const FastPlane plane(table);
   const Eigen::Matrix<float, 2, 3> axes = table.T_table_camera.linear().topRows<2>().cast<float>();
-  const float inverse_cell = static_cast<float>(1 / table.extent.cell_m);
-  const Eigen::Vector2f origin = table.extent.origin.cast<float>();
-  const cv::Mat_<uchar>& cells = table.extent.cells;
-  const float sigmas = static_cast<float>(config.noise_sigmas);
   const float low = static_cast<float>(config.min_threshold_m);
-  const float high = std::max(low, static_cast<float>(config.max_threshold_m));
-  const float constant = static_cast<float>(table.noise.constant_m);
-  const float quadratic = static_cast<float>(table.noise.quadratic_per_m);
-  for (int v = 0, i = 0; v < height; ++v) {
-    for (int u = 0; u < width; ++u, ++i) {
-      const Eigen::Vector3f& p = frame.points[i];
-      const float h = plane.height(p);
-      map.height_m(v, u) = h;
-      if (!(p.z() > 0)) {
-        map.threshold_m(v, u) = std::numeric_limits<float>::quiet_NaN();
-        continue;
-      }
-      // Depth noise moves a point along its ray: seen at a grazing angle, little of it is height.
-      const float cosine = std::abs((h - plane.d) / p.z());
-      map.threshold_m(v, u) = std::min(high, std::max(low, sigmas * (constant + quadratic * p.z() * p.z()) * cosine));
-      const Eigen::Vector2f cell = (axes * p - origin) * inverse_cell;
-      if (cell.x() >= 0 && cell.y() >= 0 && cell.x() < cells.cols && cell.y() < cells.rows) {
-        map.inside(v, u) = cells(static_cast<int>(cell.y()), static_cast<int>(cell.x()));
-      }
-    }
+  HeightRule rule;
+  std::copy_n(plane.normal.data(), 3, rule.normal);
+  rule.d = plane.d;
+  for (int k = 0; k < 3; ++k) rule.x_axis[k] = axes(0, k), rule.y_axis[k] = axes(1, k);
+  rule.x_origin = static_cast<float>(table.extent.origin.x());
+  rule.y_origin = static_cast<float>(table.extent.origin.y());
+  rule.inverse_cell = static_cast<float>(1 / table.extent.cell_m);
+  rule.columns = table.extent.cells.cols;
+  rule.rows = table.extent.cells.rows;
+  rule.sigmas = static_cast<float>(config.noise_sigmas);
+  rule.low = low;
+  rule.high = std::max(low, static_cast<float>(config.max_threshold_m));
+  rule.constant = static_cast<float>(table.noise.constant_m);
+  rule.quadratic = static_cast<float>(table.noise.quadratic_per_m);
+  return rule;
+}
+
+/// An opening with 2 x 2 pixels; cv::morphologyEx would shift it by one.
+void openByTwo(cv::Mat_<uchar>& mask) {
+  cv::erode(mask, mask, cv::Mat::ones(2, 2, CV_8U), cv::Point(0, 0));
+  cv::dilate(mask, mask, cv::Mat::ones(2, 2, CV_8U), cv::Point(1, 1));
+}
+
+void clearSmallParts(cv::Mat_<uchar>& mask, int min_pixels) {
+  const MaskParts parts = findParts(mask, Neighbours::kEight);
+  std::vector<int> pixels(parts.count, 0);
+  for (const Run& run : parts.runs) pixels[run.part] += run.last - run.first;
+  for (const Run& run : parts.runs) {
+    if (pixels[run.part] < min_pixels) std::fill(&mask(run.row, run.first), mask[run.row] + run.last, uchar(0));
   }
+}
+
+}  // namespace
+
+HeightMap makeHeightMap(const Frame& frame, const Table& table, const ObjectPointsConfig& config, int threads) {
+  const int width = frame.width(), height = frame.height();
+  HeightMap map{cv::Mat_<float>(height, width), cv::Mat_<float>(height, width), cv::Mat_<uchar>(height, width)};
+  const HeightRule rule = heightRule(table, config);
+  const uchar* cells = table.extent.cells.ptr();
+  CV_Assert(table.extent.cells.empty() || table.extent.cells.isContinuous());
+  forRowBands(height, threads, [&](int first, int last) {
+    std::vector<int> cell(width);
+    for (int v = first; v < last; ++v) {
+      const float* points = frame.points[std::size_t(v) * width].data();
+      measureHeights(points, width, rule, map.height_m[v], map.threshold_m[v], cell.data());
+      for (int u = 0; u < width; ++u) map.inside(v, u) = cell[u] < 0 ? uchar(0) : cells[cell[u]];
+    }
+  });
   return map;
 }
 
 cv::Mat_<uchar> aboveTable(const HeightMap& map) {
   cv::Mat_<uchar> seeds = map.height_m > map.threshold_m;  // false for NaN
-  // An opening with 2 x 2 pixels; cv::morphologyEx would shift it by one.
-  cv::erode(seeds, seeds, cv::Mat::ones(2, 2, CV_8U), cv::Point(0, 0));
-  cv::dilate(seeds, seeds, cv::Mat::ones(2, 2, CV_8U), cv::Point(1, 1));
-  cv::Mat labels, stats, centroids;
-  const int count = cv::connectedComponentsWithStats(seeds, labels, stats, centroids, 8);
-  std::vector<uchar> keep(count, 0);
-  for (int i = 1; i < count; ++i) keep[i] = stats.at<int>(i, cv::CC_STAT_AREA) >= kMinSeedPixels ? 255 : 0;
-  std::transform(labels.begin<int>(), labels.end<int>(), seeds.begin(), [&](int label) { return keep[label]; });
-
+  openByTwo(seeds);
+  clearSmallParts(seeds, kMinSeedPixels);
   const cv::Mat disk = cv::getStructuringElement(cv::MORPH_ELLIPSE, cv::Size(2 * kLowReachPx + 1, 2 * kLowReachPx + 1));
   cv::Mat_<uchar> near;
   cv::dilate(seeds, near, disk);

@@ -12,7 +12,7 @@ struct HeightMap {
   cv::Mat_<uchar> inside;       ///< 255 = the foot of the point lies on the table's extent
 };
 
-HeightMap makeHeightMap(const Frame& frame, const Table& table, const ObjectPointsConfig& config);
+HeightMap makeHeightMap(const Frame& frame, const Table& table, const ObjectPointsConfig& config, int threads = 1);
 
 /// 255 = over the table. Hysteresis: a pixel counts when it is over its threshold together with its neighbours, or over
 /// half of it and a few pixels from such a one, so that things keep their thin rims and feet.

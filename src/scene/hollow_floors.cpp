@@ -4,6 +4,7 @@
 #include <opencv2/imgproc.hpp>
 #include <set>
 
+#include "mask_parts.hpp"
 #include "standing_things.hpp"
 
 namespace objectness {
@@ -69,33 +70,49 @@ std::vector<float> rims(const Things& things, const HeightMap& map) {
   return rim_m;
 }
 
-/// Regions of pixels that are no thing, by their label in `labels` (4-connected), with what they touch.
-std::vector<Region> findRegions(const Things& things, const HeightMap& map, cv::Mat_<int>& labels) {
-  const int width = things.label.cols, height = things.label.rows;
-  const cv::Mat_<uchar> free = things.label == 0;
-  cv::Mat found, stats, centroids;
-  std::vector<Region> regions(cv::connectedComponentsWithStats(free, found, stats, centroids, 4));
-  labels = found;
-  for (int k = 1; k < static_cast<int>(regions.size()); ++k) {
-    cv::Rect& box = regions[k].box;
-    box = cv::Rect(stats.at<int>(k, cv::CC_STAT_LEFT), stats.at<int>(k, cv::CC_STAT_TOP),
-                   stats.at<int>(k, cv::CC_STAT_WIDTH), stats.at<int>(k, cv::CC_STAT_HEIGHT));
-    const bool at_border = box.x == 0 || box.y == 0 || box.br().x == width || box.br().y == height;
-    regions[k].open = at_border || stats.at<int>(k, cv::CC_STAT_AREA) < kMinFloorPixels;
+/// Connected pixels (4 neighbours) that are no thing, as runs with what they touch.
+struct Regions {
+  MaskParts parts;
+  std::vector<Region> regions;  ///< by part
+
+  bool allOpen() const {
+    return std::all_of(regions.begin(), regions.end(), [](const Region& region) { return region.open; });
   }
-  for (int v = 0; v < height; ++v) {
-    for (int u = 0; u < width; ++u) {
-      const int thing = things.label(v, u);
-      if (thing == 0) continue;
-      for (const cv::Point q : {cv::Point(u - 1, v), cv::Point(u + 1, v), cv::Point(u, v - 1), cv::Point(u, v + 1)}) {
-        if (q.x < 0 || q.y < 0 || q.x >= width || q.y >= height || things.label(q) == thing) continue;
-        if (labels(q) > 0) regions[labels(q)].touched.insert(thing);
-      }
-    }
+};
+
+/// Regions that are not open have the things they touch.
+Regions findRegions(const Things& things, const HeightMap& map) {
+  const int width = things.label.cols, height = things.label.rows;
+  Regions found;
+  found.parts = findParts(things.label == 0, Neighbours::kFour);
+  std::vector<int> pixels(found.parts.count, 0);
+  found.regions.resize(found.parts.count);
+  for (const Run& run : found.parts.runs) {
+    cv::Rect& box = found.regions[run.part].box;
+    box |= cv::Rect(run.first, run.row, run.last - run.first, 1);
+    pixels[run.part] += run.last - run.first;
+  }
+  for (int k = 0; k < found.parts.count; ++k) {
+    const cv::Rect& box = found.regions[k].box;
+    const bool at_border = box.x == 0 || box.y == 0 || box.br().x == width || box.br().y == height;
+    found.regions[k].open = at_border || pixels[k] < kMinFloorPixels;
+  }
+  if (found.allOpen()) return found;
+  for (const Run& run : found.parts.runs) {
+    Region& region = found.regions[run.part];
+    if (region.open) continue;
+    const auto touch = [&](int v, int u) {
+      if (things.label(v, u) > 0) region.touched.insert(things.label(v, u));
+    };
+    touch(run.row, run.first - 1);
+    touch(run.row, run.last);
+    for (int u = run.first; u < run.last; ++u) touch(run.row - 1, u), touch(run.row + 1, u);
   }
   const std::vector<float> rim_m = rims(things, map);
-  for (Region& region : regions) region.chooseThings(rim_m);
-  return regions;
+  for (Region& region : found.regions) {
+    if (!region.open) region.chooseThings(rim_m);
+  }
+  return found;
 }
 
 /// Convex hulls of the things around closed regions, seen from above, in cells of the table's extent.
@@ -139,12 +156,17 @@ double tableAround(const cv::Rect& region, int reach_px, const HeightMap& map, c
 
 void addHollowFloors(const Frame& frame, const Table& table, const HeightMap& map, const Things& things,
                      cv::Mat_<uchar>& mask) {
-  cv::Mat_<int> labels;
-  const std::vector<Region> regions = findRegions(things, map, labels);
+  const Regions found = findRegions(things, map);
+  const std::vector<Region>& regions = found.regions;
+  if (found.allOpen()) return;
   const std::vector<std::vector<cv::Point>> hulls = footprints(frame, table, things, regions);
   const Eigen::Matrix<float, 2, 3> axes = table.T_table_camera.linear().topRows<2>().cast<float>();
 
-  for (int k = 1; k < static_cast<int>(regions.size()); ++k) {
+  std::vector<std::vector<Run>> runs(regions.size());
+  for (const Run& run : found.parts.runs) {
+    if (!regions[run.part].open) runs[run.part].push_back(run);
+  }
+  for (std::size_t k = 0; k < regions.size(); ++k) {
     const Region& region = regions[k];
     if (region.open) continue;
     std::vector<cv::Point> footprint = hulls[region.things[0]];
@@ -155,14 +177,14 @@ void addHollowFloors(const Frame& frame, const Table& table, const HeightMap& ma
     std::vector<cv::Point> floor;
     std::vector<float> heights;
     double depth = 0;
-    for (int v = region.box.y; v < region.box.br().y; ++v) {
-      for (int u = region.box.x; u < region.box.br().x; ++u) {
-        const float h = map.height_m(v, u);
-        if (labels(v, u) != k || !(std::abs(h) <= 2 * map.threshold_m(v, u))) continue;
-        const Eigen::Vector3f& p = frame.points[static_cast<std::size_t>(v) * frame.width() + u];
+    for (const Run& run : runs[k]) {
+      for (int u = run.first; u < run.last; ++u) {
+        const float h = map.height_m(run.row, u);
+        if (!(std::abs(h) <= 2 * map.threshold_m(run.row, u))) continue;
+        const Eigen::Vector3f& p = frame.points[static_cast<std::size_t>(run.row) * frame.width() + u];
         const cv::Point cell = cellOf(axes * p, table.extent);
         if (!cv::Rect(0, 0, inside.cols, inside.rows).contains(cell) || inside(cell) == 0) continue;
-        floor.emplace_back(u, v);
+        floor.emplace_back(u, run.row);
         heights.push_back(h);
         depth += p.z();
       }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "height_map.hpp"
+#include "objectness_segmentation/common/row_bands.hpp"
 #include "standing_things.hpp"
 #include "wall_patches.hpp"
 
@@ -13,30 +14,33 @@ namespace {
 constexpr float kMinTableCosine = 0.866f;  // 30 deg; the side of a thing's foot is not table
 
 cv::Mat_<uchar> tableSurface(const Normals& normals, const Table& table, const HeightMap& map,
-                             const cv::Mat_<uchar>& mask) {
+                             const cv::Mat_<uchar>& mask, int threads) {
   const Eigen::Vector3f up = table.normal.cast<float>();
-  cv::Mat_<uchar> surface(mask.size(), uchar(0));
-  for (int v = 0, i = 0; v < mask.rows; ++v) {
-    for (int u = 0; u < mask.cols; ++u, ++i) {
-      if (mask(v, u) || !map.inside(v, u) || !(std::abs(map.height_m(v, u)) <= map.threshold_m(v, u))) continue;
-      if (normals.radius_px[i] > 0 && normals.normal[i].dot(up) < kMinTableCosine) continue;
-      surface(v, u) = 255;
+  cv::Mat_<uchar> surface(mask.size());
+  const auto isTable = [&](int v, int u) {
+    if (mask(v, u) || !map.inside(v, u) || !(std::abs(map.height_m(v, u)) <= map.threshold_m(v, u))) return false;
+    const int i = v * mask.cols + u;
+    return !(normals.radius_px[i] > 0 && normals.normal[i].dot(up) < kMinTableCosine);
+  };
+  forRowBands(mask.rows, threads, [&](int first, int last) {
+    for (int v = first; v < last; ++v) {
+      for (int u = 0; u < mask.cols; ++u) surface(v, u) = isTable(v, u) ? 255 : 0;
     }
-  }
+  });
   return surface;
 }
 
 }  // namespace
 
 ObjectPoints findObjectPoints(const Frame& frame, const Normals& normals, const Table& table,
-                              const ObjectPointsConfig& config) {
-  const HeightMap map = makeHeightMap(frame, table, config);
+                              const ObjectPointsConfig& config, int threads) {
+  const HeightMap map = makeHeightMap(frame, table, config, threads);
   cv::Mat_<uchar> mask = aboveTable(map);
-  removeWalls(frame, normals, table, map, config, mask);
-  const Things things = findThings(frame, table, map, config, mask);
+  removeWalls(frame, normals, table, map, config, mask, threads);
+  const Things things = findThings(frame, table, map, config, mask, threads);
   mask = things.label > 0;
   if (config.hollow_floors) addHollowFloors(frame, table, map, things, mask);
-  return {map.height_m, mask, tableSurface(normals, table, map, mask)};
+  return {map.height_m, mask, tableSurface(normals, table, map, mask, threads)};
 }
 
 }  // namespace objectness

@@ -70,12 +70,6 @@ Eigen::Isometry3d tableFrame(const Plane& plane) {
   return T;
 }
 
-bool PlaneGrid::cell(double x, double y, cv::Point& result) const {
-  result.x = static_cast<int>(std::floor((x - origin.x()) / cell_m));
-  result.y = static_cast<int>(std::floor((y - origin.y()) / cell_m));
-  return result.x >= 0 && result.y >= 0 && result.x < on_plane.cols && result.y < on_plane.rows;
-}
-
 PlaneGrid makePlaneGrid(const SurfaceSamples& samples, const Plane& plane, double cell_m) {
   PlaneGrid grid;
   grid.T_table_camera = tableFrame(plane);
@@ -84,6 +78,7 @@ PlaneGrid makePlaneGrid(const SurfaceSamples& samples, const Plane& plane, doubl
   const Eigen::Matrix<float, 2, 3> axes = grid.T_table_camera.linear().topRows<2>().cast<float>();
 
   std::vector<Eigen::Vector2f> on_plane;
+  on_plane.reserve(samples.samples.size());
   for (const auto& sample : samples.samples) {
     if (!sample.valid() || std::abs(fast.height(sample.point)) > sample.tolerance()) continue;
     if (sample.hasNormal() && sample.normal.dot(fast.normal) < kMinNormalCosine) continue;
@@ -93,6 +88,8 @@ PlaneGrid makePlaneGrid(const SurfaceSamples& samples, const Plane& plane, doubl
   if (on_plane.empty()) return grid;
 
   std::vector<float> x, y;
+  x.reserve(on_plane.size());
+  y.reserve(on_plane.size());
   for (const auto& p : on_plane) x.push_back(p.x()), y.push_back(p.y());
   std::nth_element(x.begin(), x.begin() + x.size() / 2, x.end());
   std::nth_element(y.begin(), y.begin() + y.size() / 2, y.end());

@@ -20,7 +20,12 @@ struct PlaneGrid {
 
   bool empty() const { return on_plane.empty(); }
   /// Cell of a point of the plane; false outside the grid.
-  bool cell(double x, double y, cv::Point& result) const;
+  bool cell(double x, double y, cv::Point& result) const {
+    const double column = (x - origin.x()) / cell_m, row = (y - origin.y()) / cell_m;
+    if (!(column >= 0 && row >= 0 && column < on_plane.cols && row < on_plane.rows)) return false;
+    result = {static_cast<int>(column), static_cast<int>(row)};
+    return true;
+  }
 };
 
 PlaneGrid makePlaneGrid(const SurfaceSamples& samples, const Plane& plane, double cell_m);

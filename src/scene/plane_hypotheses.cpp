@@ -5,6 +5,9 @@
 #include <cmath>
 #include <random>
 
+#include "objectness_segmentation/common/parallel.hpp"
+#include "plane_samples.hpp"
+
 namespace objectness {
 namespace {
 
@@ -17,80 +20,87 @@ constexpr float kMinNormalCosine = 0.9397f;  // 20 deg: the spread of normals on
 constexpr float kWideTolerances = 4.0f;      // a plane through one point and its noisy normal is only about right
 constexpr double kSamePlaneCosine = 0.9945;  // 6 deg
 
-using Sample = SurfaceSamples::Sample;
-
-bool fits(const FastPlane& plane, const Sample& sample, float tolerances) {
-  return std::abs(plane.height(sample.point)) <= tolerances * sample.tolerance() &&
-         sample.normal.dot(plane.normal) >= kMinNormalCosine;
-}
-
-bool refit(const std::vector<const Sample*>& samples, float tolerances, Plane& plane) {
-  const FastPlane current(plane);
-  PlaneFitter fitter;
-  for (const Sample* sample : samples) {
-    if (fits(current, *sample, tolerances))
-      fitter.add(sample->point, 1.0 / (double(sample->sigma_m) * sample->sigma_m));
-  }
-  return fitter.solve(plane);
-}
-
-int countInliers(const std::vector<const Sample*>& samples, const Plane& plane) {
+PlaneTest planeTest(const Plane& plane, float tolerances) {
   const FastPlane fast(plane);
-  return static_cast<int>(
-      std::count_if(samples.begin(), samples.end(), [&](const Sample* sample) { return fits(fast, *sample, 1); }));
+  return {fast.normal.x(), fast.normal.y(), fast.normal.z(), fast.d, tolerances, kMinNormalCosine};
 }
+
+bool refit(const SampleColumns& samples, float tolerances, std::vector<unsigned char>& fits, Plane& plane) {
+  fits.resize(samples.count);
+  markFitting(samples, planeTest(plane, tolerances), fits.data());
+  return PlaneFitter(sumFitting(samples, fits.data())).solve(plane);
+}
+
+/// A plane through a sample and its normal, settled on the samples near it.
+struct Try {
+  Plane plane;
+  int count = 0;  ///< of the samples that fit; 0: no plane
+
+  void settle(const SampleColumns& counted) {
+    std::vector<unsigned char> fits;
+    if (refit(counted, kWideTolerances, fits, plane)) count = markFitting(counted, planeTest(plane, 1), fits.data());
+  }
+};
 
 /// The best of some planes through a random sample and its normal; false when there is none.
-bool searchPlane(const std::vector<const Sample*>& samples, std::mt19937& random, Plane& best) {
-  std::vector<const Sample*> counted;
+bool searchPlane(const PlaneSamples& samples, std::mt19937& random, int threads, Plane& best) {
+  PlaneSamples counted;
   const std::size_t step = 1 + samples.size() / kCountedSamples;
-  for (std::size_t i = 0; i < samples.size(); i += step) counted.push_back(samples[i]);
-  int best_count = 0;
-  for (int attempt = 0; attempt < kTries; ++attempt) {
-    const Sample& seed = *samples[random() % samples.size()];
-    Plane plane;
-    plane.normal = seed.normal.cast<double>();
-    plane.d = -plane.normal.dot(seed.point.cast<double>());
-    if (!refit(counted, kWideTolerances, plane)) continue;
-    const int count = countInliers(counted, plane);
-    if (count > best_count) best_count = count, best = plane;
+  for (std::size_t i = 0; i < samples.size(); i += step) counted.add(samples, i);
+
+  std::vector<Try> tries(kTries);
+  for (Try& attempt : tries) {
+    const std::size_t seed = random() % samples.size();
+    attempt.plane.normal = samples.normal(seed).cast<double>();
+    attempt.plane.d = -attempt.plane.normal.dot(samples.point(seed).cast<double>());
   }
-  for (int i = 0; i < kRefits && best_count > 0; ++i) {
-    if (!refit(samples, 1, best)) return false;
+  parallelFor(kTries, threads, [&](int i) { tries[i].settle(counted.columns()); });
+  const Try& most =
+      *std::max_element(tries.begin(), tries.end(), [](const Try& a, const Try& b) { return a.count < b.count; });
+  if (most.count == 0) return false;
+  best = most.plane;
+  std::vector<unsigned char> fits;
+  for (int i = 0; i < kRefits; ++i) {
+    if (!refit(samples.columns(), 1, fits, best)) return false;
   }
-  return best_count > 0;
+  return true;
 }
 
 /// Whether the inliers of one plane also lie on the other.
-bool samePlane(const Plane& a, const Plane& b, const std::vector<const Sample*>& inliers_of_b) {
+bool samePlane(const Plane& a, const Plane& b, const PlaneSamples& inliers_of_b) {
   if (a.normal.dot(b.normal) < kSamePlaneCosine) return false;
   const FastPlane fast(a);
   double distance = 0, tolerance = 0;
-  for (const Sample* sample : inliers_of_b) {
-    distance += std::abs(fast.height(sample->point));
-    tolerance += sample->tolerance();
+  for (std::size_t i = 0; i < inliers_of_b.size(); ++i) {
+    distance += std::abs(fast.height(inliers_of_b.point(i)));
+    tolerance += inliers_of_b.tolerance_m(i);
   }
   return distance < 2 * tolerance;
 }
 
 }  // namespace
 
-std::vector<Plane> findPlanes(const SurfaceSamples& all) {
-  std::vector<const Sample*> left;
-  for (const Sample& sample : all.samples) {
-    if (sample.valid() && sample.hasNormal()) left.push_back(&sample);
+std::vector<Plane> findPlanes(const SurfaceSamples& all, int threads) {
+  PlaneSamples left;
+  left.reserve(all.samples.size());
+  for (const auto& sample : all.samples) {
+    if (sample.valid() && sample.hasNormal()) left.add(sample);
   }
   const std::size_t min_inliers = std::max<std::size_t>(10, static_cast<std::size_t>(kMinShare * left.size()));
 
   std::vector<Plane> planes;
+  std::vector<unsigned char> fits;
   std::mt19937 random(1);
   for (int i = 0; i < kMaxPlanes && left.size() >= min_inliers; ++i) {
     Plane plane;
-    if (!searchPlane(left, random, plane)) break;
-    const FastPlane fast(plane);
-    std::vector<const Sample*> inliers, others;
-    for (const Sample* sample : left) (fits(fast, *sample, 1) ? inliers : others).push_back(sample);
-    if (inliers.size() < min_inliers) break;
+    if (!searchPlane(left, random, threads, plane)) break;
+    fits.resize(left.size());
+    const std::size_t found = markFitting(left.columns(), planeTest(plane, 1), fits.data());
+    if (found < min_inliers) break;
+    PlaneSamples inliers, others;
+    inliers.reserve(found);
+    others.reserve(left.size() - found);
+    for (std::size_t k = 0; k < left.size(); ++k) (fits[k] ? inliers : others).add(left, k);
     const bool known =
         std::any_of(planes.begin(), planes.end(), [&](const Plane& other) { return samePlane(other, plane, inliers); });
     if (!known) planes.push_back(plane);

@@ -6,6 +6,6 @@
 namespace objectness {
 
 /// The large planes of a view, most samples first: seeded RANSAC with normals, one plane after the other.
-std::vector<Plane> findPlanes(const SurfaceSamples& samples);
+std::vector<Plane> findPlanes(const SurfaceSamples& samples, int threads = 1);
 
 }  // namespace objectness

@@ -34,13 +34,14 @@ double tableNormalError(const Frame& frame, const Normals& normals, const Table&
   return std::acos(std::clamp(*middle, -1.f, 1.f)) * 180 / M_PI;
 }
 
-Normals refineNormals(const Frame& frame, Normals normals, const Table& table, const NormalsConfig& config) {
+Normals refineNormals(const Frame& frame, Normals normals, const Table& table, const NormalsConfig& config,
+                      int threads) {
   const double error = tableNormalError(frame, normals, table);
   const double widening = std::min(config.max_widening, error / config.max_error_deg);
   if (widening <= 1) return normals;
   NormalsConfig wider = config;
   wider.window_m *= widening;
-  return estimateNormals(frame, wider, table.noise);
+  return estimateNormals(frame, wider, table.noise, threads);
 }
 
 }  // namespace objectness

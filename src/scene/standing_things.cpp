@@ -32,26 +32,26 @@ bool isTallStack(const Thing& thing) {
 }  // namespace
 
 Things findThings(const Frame& frame, const Table& table, const HeightMap& map, const ObjectPointsConfig& config,
-                  const cv::Mat_<uchar>& mask) {
+                  const cv::Mat_<uchar>& mask, int threads) {
   const double focal = frame.camera.focal();
   const Gap gap{kGapM, static_cast<float>(kGapPixels / focal), kGapSigmas, table.noise};
   int parts = 0;
-  cv::Mat_<int> label = connectPoints(frame.points, mask, gap, parts);
+  cv::Mat_<int> label = connectPoints(frame.points, mask, gap, parts, threads);
   int* labels = label.ptr<int>();
 
   std::vector<Thing> things(parts + 1);
-  for (int i = 0; i < frame.size(); ++i) {
-    if (labels[i] == 0) continue;
-    Thing& thing = things[labels[i]];
-    const double z = frame.points[i].z();
-    ++thing.pixels;
-    const int u = i % mask.cols, v = i / mask.cols;
-    thing.at_border = thing.at_border || u == 0 || v == 0 || u + 1 == mask.cols || v + 1 == mask.rows;
-    thing.inside += map.inside.data[i] != 0;
-    const float height = reinterpret_cast<const float*>(map.height_m.data)[i];
-    thing.too_high += height > config.max_height_m;
-    thing.far_too_high += height > kTallestStack * config.max_height_m;
-    thing.area_m2 += z * z / (focal * focal);
+  for (int v = 0, i = 0; v < mask.rows; ++v) {
+    for (int u = 0; u < mask.cols; ++u, ++i) {
+      if (labels[i] == 0) continue;
+      Thing& thing = things[labels[i]];
+      const double z = frame.points[i].z();
+      ++thing.pixels;
+      thing.at_border = thing.at_border || u == 0 || v == 0 || u + 1 == mask.cols || v + 1 == mask.rows;
+      thing.inside += map.inside(v, u) != 0;
+      thing.too_high += map.height_m(v, u) > config.max_height_m;
+      thing.far_too_high += map.height_m(v, u) > kTallestStack * config.max_height_m;
+      thing.area_m2 += z * z / (focal * focal);
+    }
   }
   Things result{label, 0};
   std::vector<int> final_label(things.size(), 0);
@@ -62,7 +62,9 @@ Things findThings(const Frame& frame, const Table& table, const HeightMap& map, 
                         (thing.too_high <= kMaxShareOverCeiling * thing.pixels || isTallStack(thing));
     if (stands) final_label[k] = ++result.count;
   }
-  for (int i = 0; i < frame.size(); ++i) labels[i] = final_label[labels[i]];
+  for (int i = 0; i < frame.size(); ++i) {
+    if (labels[i] > 0) labels[i] = final_label[labels[i]];
+  }
   return result;
 }
 

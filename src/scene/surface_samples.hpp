@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+
 #include "objectness_segmentation/scene/table.hpp"
+#include "plane_sums.hpp"
 
 namespace objectness {
 
@@ -14,15 +17,16 @@ struct SurfaceSamples {
 
     bool valid() const { return point.z() > 0; }
     bool hasNormal() const { return normal.x() == normal.x(); }
-    /// How far from a plane its points may lie.
-    float tolerance() const;
+    /// How far from a plane its points may lie: three sigma, but no less than 6 mm.
+    float tolerance() const { return std::max(0.006f, 3.0f * sigma_m); }
   };
   int width = 0, height = 0, stride = 1;
   std::vector<Sample> samples;  ///< width * height, row-major
 };
 
 /// At most about `count` samples of the frame.
-SurfaceSamples sampleSurface(const Frame& frame, const Normals& normals, const DepthNoise& noise, int count);
+SurfaceSamples sampleSurface(const Frame& frame, const Normals& normals, const DepthNoise& noise, int count,
+                             int threads = 1);
 
 /// n . p + d in single precision, for loops over many points.
 struct FastPlane {
@@ -36,16 +40,13 @@ struct FastPlane {
 /// Weighted least-squares plane of points, oriented towards the camera.
 class PlaneFitter {
  public:
-  void add(const Eigen::Vector3f& point, double weight);
-  int count() const { return count_; }
+  explicit PlaneFitter(const PlaneSums& sums = {}) : sums_(sums) {}
+  void add(const Eigen::Vector3f& point, double weight) { sums_.add(point.x(), point.y(), point.z(), weight); }
   /// False when the points do not span a plane.
   bool solve(Plane& plane) const;
 
  private:
-  int count_ = 0;
-  double weight_ = 0;
-  Eigen::Vector3d sum_ = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d products_ = Eigen::Matrix3d::Zero();
+  PlaneSums sums_;
 };
 
 }  // namespace objectness

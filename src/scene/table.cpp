@@ -8,6 +8,7 @@
 
 #include "depth_noise.hpp"
 #include "lowest_layer.hpp"
+#include "objectness_segmentation/common/parallel.hpp"
 #include "plane_grid.hpp"
 #include "plane_hypotheses.hpp"
 #include "table_evidence.hpp"
@@ -35,7 +36,7 @@ Result<Plane> givenPlane(const TableConfig& config) {
 
 /// The best table among the planes.
 Result<Plane> choosePlane(const SurfaceSamples& samples, double focal, const std::vector<Plane>& planes,
-                          const TableConfig& config) {
+                          const TableConfig& config, int threads) {
   const Eigen::Vector3d up(config.up_x, config.up_y, config.up_z);
   if (config.up_known && !(up.norm() > 0)) {
     return Result<Plane>::error(StatusCode::kBadConfig, "table.up_known is set but (up_x, up_y, up_z) has no length");
@@ -43,16 +44,20 @@ Result<Plane> choosePlane(const SurfaceSamples& samples, double focal, const std
   const double min_cosine = std::cos(config.max_tilt_deg * M_PI / 180);
   const Plane* best = nullptr;
   double best_score = 0, largest = 0;
-  int tilted = 0;
-  for (const Plane& plane : planes) {
-    if (config.up_known && plane.normal.dot(up.normalized()) < min_cosine) {
-      ++tilted;
-      continue;
+  const auto isTilted = [&](const Plane& plane) {
+    return config.up_known && plane.normal.dot(up.normalized()) < min_cosine;
+  };
+  std::vector<TableEvidence> evidence(planes.size());
+  parallelFor(static_cast<int>(planes.size()), threads, [&](int i) {
+    if (!isTilted(planes[i])) evidence[i] = judgeTable(samples, planes[i], focal);
+  });
+  const auto tilted = std::count_if(planes.begin(), planes.end(), isTilted);
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    largest = std::max(largest, evidence[i].area_m2);
+    const double score = evidence[i].score(planes[i]);
+    if (evidence[i].area_m2 >= config.min_area_m2 && !isTilted(planes[i]) && score > best_score) {
+      best_score = score, best = &planes[i];
     }
-    const TableEvidence evidence = judgeTable(samples, plane, focal);
-    largest = std::max(largest, evidence.area_m2);
-    const double score = evidence.score(plane);
-    if (evidence.area_m2 >= config.min_area_m2 && score > best_score) best_score = score, best = &plane;
   }
   if (best) return {{}, *best};
 
@@ -63,7 +68,7 @@ Result<Plane> choosePlane(const SurfaceSamples& samples, double focal, const std
       << static_cast<int>(100.0 * valid / std::max<std::size_t>(1, samples.samples.size()) + 0.5)
       << " % of the pixels have depth, " << planes.size() << " planes were found";
   if (tilted > 0) why << ", " << tilted << " of them tilted more than table.max_tilt_deg";
-  if (tilted < static_cast<int>(planes.size())) {
+  if (tilted < static_cast<std::ptrdiff_t>(planes.size())) {
     why << ", the largest of " << std::round(largest * 1e4) << " cm2 (table.min_area_m2 asks for "
         << std::round(config.min_area_m2 * 1e4) << " cm2)";
   }
@@ -99,16 +104,17 @@ std::vector<Eigen::Vector2d> outline(const TableExtent& extent) {
 
 }  // namespace
 
-Result<Table> findTable(const Frame& frame, const Normals& normals, const TableConfig& config) {
+Result<Table> findTable(const Frame& frame, const Normals& normals, const TableConfig& config, int threads) {
   const DepthNoise prior;
-  const SurfaceSamples samples = sampleSurface(frame, normals, prior, kSampleCount);
-  const std::vector<Plane> planes = findPlanes(samples);
+  const SurfaceSamples samples = sampleSurface(frame, normals, prior, kSampleCount, threads);
+  const std::vector<Plane> planes = findPlanes(samples, threads);
 
-  Result<Plane> chosen = config.given ? givenPlane(config) : choosePlane(samples, frame.camera.focal(), planes, config);
+  Result<Plane> chosen =
+      config.given ? givenPlane(config) : choosePlane(samples, frame.camera.focal(), planes, config, threads);
   if (!chosen.ok()) return Result<Table>::error(chosen.status);
   const Plane plane = config.given ? chosen.value : settleOnLowestLayer(samples, chosen.value);
 
-  const SurfaceSamples dense = sampleSurface(frame, normals, prior, kExtentSampleCount);
+  const SurfaceSamples dense = sampleSurface(frame, normals, prior, kExtentSampleCount, threads);
   const PlaneGrid grid = makePlaneGrid(dense, plane, kExtentCellM);
   if (grid.empty()) {
     return Result<Table>::error(StatusCode::kNoTable, config.given

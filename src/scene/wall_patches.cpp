@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 
+#include "mask_parts.hpp"
+#include "objectness_segmentation/common/row_bands.hpp"
 #include "plane_grid.hpp"
 
 namespace objectness {
@@ -19,59 +20,83 @@ constexpr float kToleranceSigmas = 4.0f;
 constexpr float kMinNormalCosine = 0.866f;  // 30 deg
 
 struct Patch {
-  int pixels = 0, inside = 0, border = 0, too_high = 0;
+  int pixels = 0, border = 0, too_high = 0;
   double area_m2 = 0;
+
+  bool mayBeWall() const {
+    return area_m2 > kMinAreaM2 && (border > kBorderFactor * std::sqrt(pixels) || too_high > kCeilingShare * pixels);
+  }
 };
 
-cv::Mat_<uchar> onPlane(const Frame& frame, const Normals& normals, const Table& table, const Plane& plane,
-                        const cv::Mat_<uchar>& mask) {
-  const FastPlane fast(plane);
-  cv::Mat_<uchar> result(mask.size(), uchar(0));
-  for (int i = 0; i < frame.size(); ++i) {
-    if (mask.data[i] == 0) continue;
+/// Bit k of a pixel of the mask: it lies on the k-th of the table's other planes, and faces as it does.
+cv::Mat_<uchar> planesOf(const Frame& frame, const Normals& normals, const Table& table, const cv::Mat_<uchar>& mask,
+                         int threads) {
+  std::vector<FastPlane> planes(table.other_planes.begin(), table.other_planes.end());
+  cv::Mat_<uchar> result(mask.size());
+  const auto bitsOf = [&](int i) {
     const Eigen::Vector3f& p = frame.points[i];
     const float tolerance = std::max(kMinToleranceM, kToleranceSigmas * static_cast<float>(table.noise.sigma(p.z())));
-    if (std::abs(fast.height(p)) > tolerance) continue;
-    if (normals.radius_px[i] > 0 && normals.normal[i].dot(fast.normal) < kMinNormalCosine) continue;
-    result.data[i] = 255;
-  }
+    int bits = 0;
+    for (std::size_t k = 0; k < planes.size(); ++k) {
+      if (std::abs(planes[k].height(p)) > tolerance) continue;
+      if (normals.radius_px[i] > 0 && normals.normal[i].dot(planes[k].normal) < kMinNormalCosine) continue;
+      bits |= 1 << k;
+    }
+    return static_cast<uchar>(bits);
+  };
+  forRowBands(mask.rows, threads, [&](int first, int last) {
+    for (int i = first * mask.cols; i < last * mask.cols; ++i) result.data[i] = mask.data[i] ? bitsOf(i) : uchar(0);
+  });
   return result;
+}
+
+std::vector<Patch> measure(const MaskParts& parts, const Frame& frame, const HeightMap& map, double max_height_m) {
+  const double focal = frame.camera.focal();
+  std::vector<Patch> patches(parts.count);
+  for (const Run& run : parts.runs) {
+    Patch& patch = patches[run.part];
+    const bool edge_row = run.row == 0 || run.row + 1 == frame.height();
+    const int pixels = run.last - run.first;
+    patch.pixels += pixels;
+    patch.border += edge_row ? pixels : std::min(pixels, (run.first == 0) + (run.last == frame.width()));
+    for (int u = run.first; u < run.last; ++u) {
+      const double z = frame.points[run.row * frame.width() + u].z();
+      patch.too_high += map.height_m(run.row, u) > max_height_m;
+      patch.area_m2 += z * z / (focal * focal);
+    }
+  }
+  return patches;
+}
+
+/// Of the patches that may be walls: how many of their pixels lie over the table.
+std::vector<int> countInside(const MaskParts& parts, const std::vector<Patch>& patches, const Frame& frame,
+                             const Table& table) {
+  const Eigen::Matrix<double, 2, 3> axes = table.T_table_camera.linear().topRows<2>();
+  std::vector<int> inside(parts.count, 0);
+  for (const Run& run : parts.runs) {
+    if (!patches[run.part].mayBeWall()) continue;
+    for (int u = run.first; u < run.last; ++u) {
+      const Eigen::Vector2d foot = axes * frame.points[run.row * frame.width() + u].cast<double>();
+      inside[run.part] += table.extent.at(foot.x(), foot.y()) == kCore;
+    }
+  }
+  return inside;
 }
 
 }  // namespace
 
 void removeWalls(const Frame& frame, const Normals& normals, const Table& table, const HeightMap& map,
-                 const ObjectPointsConfig& config, cv::Mat_<uchar>& mask) {
-  const int width = frame.width(), height = frame.height();
-  const double focal = frame.camera.focal();
-  const Eigen::Matrix<double, 2, 3> axes = table.T_table_camera.linear().topRows<2>();
-
-  for (const Plane& plane : table.other_planes) {
-    const cv::Mat_<uchar> candidates = onPlane(frame, normals, table, plane, mask);
-    cv::Mat_<int> labels;
-    std::vector<Patch> patches(cv::connectedComponents(candidates, labels, 8, CV_32S));
-    for (int v = 0, i = 0; v < height; ++v) {
-      for (int u = 0; u < width; ++u, ++i) {
-        if (candidates.data[i] == 0) continue;
-        Patch& patch = patches[labels(v, u)];
-        const Eigen::Vector3d p = frame.points[i].cast<double>();
-        const Eigen::Vector2d foot = axes * p;
-        ++patch.pixels;
-        patch.inside += table.extent.at(foot.x(), foot.y()) == kCore;
-        patch.border += u == 0 || v == 0 || u + 1 == width || v + 1 == height;
-        patch.too_high += map.height_m(v, u) > config.max_height_m;
-        patch.area_m2 += p.z() * p.z() / (focal * focal);
-      }
-    }
-    std::vector<bool> wall(patches.size(), false);
-    for (std::size_t k = 1; k < patches.size(); ++k) {
-      const Patch& patch = patches[k];
-      wall[k] =
-          patch.area_m2 > kMinAreaM2 && patch.inside < kMaxInsideShare * patch.pixels &&
-          (patch.border > kBorderFactor * std::sqrt(patch.pixels) || patch.too_high > kCeilingShare * patch.pixels);
-    }
-    for (int i = 0; i < frame.size(); ++i) {
-      if (candidates.data[i] && wall[labels(i / width, i % width)]) mask.data[i] = 0;
+                 const ObjectPointsConfig& config, cv::Mat_<uchar>& mask, int threads) {
+  CV_Assert(table.other_planes.size() <= 8);  // findTable() looks at no more
+  const cv::Mat_<uchar> planes = planesOf(frame, normals, table, mask, threads);
+  for (std::size_t k = 0; k < table.other_planes.size(); ++k) {
+    const MaskParts parts = findParts(planes & mask & uchar(1 << k), Neighbours::kEight);
+    const std::vector<Patch> patches = measure(parts, frame, map, config.max_height_m);
+    const std::vector<int> inside = countInside(parts, patches, frame, table);
+    for (const Run& run : parts.runs) {
+      const Patch& patch = patches[run.part];
+      if (!patch.mayBeWall() || !(inside[run.part] < kMaxInsideShare * patch.pixels)) continue;
+      std::fill(mask[run.row] + run.first, mask[run.row] + run.last, uchar(0));
     }
   }
 }

@@ -40,6 +40,6 @@ struct EdgesConfig {
 /// Edges of the objects: of pixels of object_points.mask, and creases where an object meets the table, which lie up to
 /// one normal window outside it. Depth steps and creases are metric: they read the same at any resolution and depth.
 EdgeMap findEdges(const Frame& frame, const Normals& normals, const Table& table, const ObjectPoints& object_points,
-                  const EdgesConfig& config);
+                  const EdgesConfig& config, int threads = 1);
 
 }  // namespace objectness

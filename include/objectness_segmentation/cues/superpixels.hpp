@@ -49,6 +49,6 @@ SuperpixelsConfig superpixelsForBoxes(SuperpixelsConfig config);
 /// Grows pieces of smooth surface over the pixels of object_points.mask. Bends are metric and signed: a concave one
 /// separates things that touch, so it cuts early; a convex one is mostly an edge within one thing.
 Superpixels findSuperpixels(const Frame& frame, const Normals& normals, const Table& table,
-                            const ObjectPoints& object_points, const SuperpixelsConfig& config);
+                            const ObjectPoints& object_points, const SuperpixelsConfig& config, int threads = 1);
 
 }  // namespace objectness

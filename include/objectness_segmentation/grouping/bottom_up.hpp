@@ -14,7 +14,7 @@ struct PieceGraph {
 
 PieceGraph findPieceGraph(const Frame& frame, const Normals& normals, const Table& table,
                           const ObjectPoints& object_points, const Superpixels& superpixels, const PiecesConfig& pieces,
-                          const LinksConfig& links);
+                          const LinksConfig& links, int threads = 1);
 
 /// Groups of pieces that may be one object each, described but not yet judged. Cues that are switched off are neutral.
 std::vector<GroupHypothesis> proposeObjects(const Frame& frame, const Table& table, const EdgeMap& edges,

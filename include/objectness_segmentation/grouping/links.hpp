@@ -46,7 +46,8 @@ struct LinksConfig {
 /// (first, second). Cues that are switched off are neutral.
 std::vector<PairEvidence> findPairEvidence(const Frame& frame, const Normals& normals, const Table& table,
                                            const ObjectPoints& object_points, const Superpixels& superpixels,
-                                           const Pieces& pieces, const Borders& borders, const LinksConfig& config);
+                                           const Pieces& pieces, const Borders& borders, const LinksConfig& config,
+                                           int threads = 1);
 
 /// What a model makes of the evidence.
 std::vector<Link> judgePairs(const std::vector<PairEvidence>& evidence, const Borders& borders,

@@ -43,6 +43,6 @@ struct Pieces {
 
 /// Gives every object point to the superpixel nearest along the surface; connected rests become pieces of their own.
 Pieces findPieces(const Frame& frame, const Normals& normals, const ObjectPoints& object_points,
-                  const Superpixels& superpixels, const PiecesConfig& config);
+                  const Superpixels& superpixels, const PiecesConfig& config, int threads = 1);
 
 }  // namespace objectness

@@ -41,6 +41,6 @@ struct ObjectPointsConfig {
 
 /// Which points stand on the table. Deterministic; an empty mask (nothing on the table) is a valid result.
 ObjectPoints findObjectPoints(const Frame& frame, const Normals& normals, const Table& table,
-                              const ObjectPointsConfig& config);
+                              const ObjectPointsConfig& config, int threads = 1);
 
 }  // namespace objectness

@@ -12,6 +12,7 @@ double tableNormalError(const Frame& frame, const Normals& normals, const Table&
 /// The normals anew, with the table's measured noise and a window that is wider by as much as their error exceeds
 /// config.max_error_deg: the error of a fitted normal falls about as its window grows. Cameras differ tenfold in what a
 /// window of one size is worth. The same normals when they are good enough.
-Normals refineNormals(const Frame& frame, Normals normals, const Table& table, const NormalsConfig& config);
+Normals refineNormals(const Frame& frame, Normals normals, const Table& table, const NormalsConfig& config,
+                      int threads = 1);
 
 }  // namespace objectness

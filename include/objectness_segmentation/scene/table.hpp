@@ -19,9 +19,9 @@ struct TableExtent {
 
   /// The cell that holds a point of the table plane; 0 outside the raster.
   uchar at(double x, double y) const {
-    const int column = static_cast<int>(std::floor((x - origin.x()) / cell_m));
-    const int row = static_cast<int>(std::floor((y - origin.y()) / cell_m));
-    return column >= 0 && row >= 0 && column < cells.cols && row < cells.rows ? cells(row, column) : uchar(0);
+    const double column = (x - origin.x()) / cell_m, row = (y - origin.y()) / cell_m;
+    const bool within = column >= 0 && row >= 0 && column < cells.cols && row < cells.rows;
+    return within ? cells(static_cast<int>(row), static_cast<int>(column)) : uchar(0);
   }
   bool contains(double x, double y) const { return at(x, y) != 0; }
 };
@@ -77,6 +77,6 @@ struct TableConfig {
 /// Among up to eight planes the one is taken that looks most like a table: things stand on it, it is near and large,
 /// and nothing lies under it. Which way is up is not assumed (a wrist camera may hang upside down) unless up_known.
 /// kNoTable with what was seen when no plane qualifies; kBadConfig for a given plane or up direction of zero length.
-Result<Table> findTable(const Frame& frame, const Normals& normals, const TableConfig& config);
+Result<Table> findTable(const Frame& frame, const Normals& normals, const TableConfig& config, int threads = 1);
 
 }  // namespace objectness

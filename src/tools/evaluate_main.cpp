@@ -10,6 +10,7 @@
 
 #include "evaluate_options.hpp"
 #include "evaluate_progress.hpp"
+#include "objectness_segmentation/common/frame_memory.hpp"
 #include "objectness_segmentation/evaluation/experiment.hpp"
 #include "objectness_segmentation/evaluation/run.hpp"
 #include "objectness_segmentation/evaluation/tables.hpp"
@@ -139,6 +140,7 @@ int main(int argc, char** argv) {
     std::cout << options.print << std::flush;
     return std::cout ? kAllDone : kSomeFailed;
   }
+  keepFrameMemory();  // for all processes that run a scene
   const std::string problem = folderProblem(options.report);
   if (!problem.empty()) return fail("--report " + options.report + ": cannot write there: " + problem);
   try {

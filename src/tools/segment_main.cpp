@@ -10,6 +10,7 @@
 #include <opencv2/core/utils/logger.hpp>
 #include <sstream>
 
+#include "objectness_segmentation/common/frame_memory.hpp"
 #include "objectness_segmentation/io/input_file.hpp"
 #include "objectness_segmentation/io/result_writer.hpp"
 #include "objectness_segmentation/pipeline.hpp"
@@ -121,5 +122,6 @@ int main(int argc, char** argv) {
     std::cout << options.value.print << std::flush;
     return std::cout ? kAllDone : kSomeFailed;
   }
+  keepFrameMemory();
   return run(options.value);
 }

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "objectness_segmentation/common/frame_memory.hpp"
+
+#include <cstdlib>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#include <sys/mman.h>
+
+#include <cstdint>
+#endif
+
+namespace objectness {
+
+void keepFrameMemory() {
+#ifdef __GLIBC__
+  constexpr std::size_t kMegabyte = 1 << 20;
+  constexpr std::size_t kPage = 4096;
+  // The largest blocks that glibc lets come from the heap, and more than the buffers of any frame together.
+  constexpr std::size_t kLargestBlock = 32 * kMegabyte, kKept = 512 * kMegabyte;
+  constexpr std::size_t kBlock = 24 * kMegabyte;
+  mallopt(M_MMAP_THRESHOLD, kLargestBlock);
+  mallopt(M_TRIM_THRESHOLD, kKept);
+  // The heap grows by blocks that are freed at once: addresses only, until a frame touches them.
+  void* blocks[3];
+  for (void*& block : blocks) {
+    block = std::malloc(kBlock);
+    if (!block) continue;
+    const std::uintptr_t first = (reinterpret_cast<std::uintptr_t>(block) + kPage - 1) / kPage * kPage;
+    madvise(reinterpret_cast<void*>(first), kBlock - kPage, MADV_HUGEPAGE);  // refused: small pages, as before
+  }
+  for (void* block : blocks) std::free(block);
+#endif
+}
+
+}  // namespace objectness

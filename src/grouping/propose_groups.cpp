@@ -34,13 +34,16 @@ class Proposer {
       const std::vector<Group> base(groups_.begin(), groups_.end());
       for (const Group& group : base) vary(group);
     }
-    std::vector<Group> all(groups_.begin(), groups_.end());
-    if (all.size() > most) {
-      std::stable_sort(all.begin(), all.end(), [&](const Group& a, const Group& b) { return rank(a) > rank(b); });
-      all.resize(most);
-      std::sort(all.begin(), all.end());
-    }
-    return all;
+    if (groups_.size() <= most) return {groups_.begin(), groups_.end()};
+    // The best ranked; of equals those that come first.
+    std::vector<std::pair<float, const Group*>> ranked;
+    ranked.reserve(groups_.size());
+    for (const Group& group : groups_) ranked.emplace_back(rank(group), &group);
+    std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<Group> best;
+    for (std::size_t i = 0; i < most; ++i) best.push_back(*ranked[i].second);
+    std::sort(best.begin(), best.end());
+    return best;
   }
 
  private:

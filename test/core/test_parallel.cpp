@@ -6,6 +6,7 @@
 #include <chrono>
 #include <filesystem>
 #include <mutex>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <thread>
@@ -14,6 +15,7 @@
 #include "objectness_segmentation/common/parallel.hpp"
 
 using objectness::parallelFor;
+using objectness::ThreadPool;
 
 TEST(ParallelFor, CallsEachIndexOnce) {
   for (const int threads : {0, 1, 2, 7}) {

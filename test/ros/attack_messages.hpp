@@ -109,7 +109,7 @@ inline std::vector<Attack> makeAttacks(const std_msgs::Header& header) {
   add("endian flag set", SegmentedObjectArray::BAD_INPUT, "big-endian").cloud.is_bigendian = true;
   add("empty frame_id", SegmentedObjectArray::OK, "").cloud.header.frame_id.clear();
 
-  Attack& vast = add("a list and a vast camera", SegmentedObjectArray::NOT_ORGANIZED, "too large");
+  Attack& vast = add("a list and a vast camera", SegmentedObjectArray::BAD_CAMERA, "pixels in all");
   vast.cloud.width *= vast.cloud.height;
   vast.cloud.height = 1;
   vast.camera_info.width = vast.camera_info.height = 10000;

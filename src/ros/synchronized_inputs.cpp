@@ -50,6 +50,7 @@ void SynchronizedInputs::subscribe() {
     counted_ = {};
     first_time_ = camera_time_ = {};
     recent_cameras_.clear();
+    recent_firsts_.clear();
     colors_.clear();
     forgetPairs();
   }
@@ -107,6 +108,7 @@ void SynchronizedInputs::noticeJump(const ros::Time& stamp, TopicTime& topic, To
     forgetPairs();
     colors_.clear();
     recent_cameras_.clear();
+    recent_firsts_.clear();
     callbacks_.jump();
   } else if (back || first_message) {
     // The other one went back before: what waits for its partner is of the new time, unless it came on this topic.
@@ -114,6 +116,7 @@ void SynchronizedInputs::noticeJump(const ros::Time& stamp, TopicTime& topic, To
     if (topic.stale > 0) {
       forgetPairs();
       for (const auto& camera : recent_cameras_) addCamera(camera);
+      for (const auto& add_again : std::exchange(recent_firsts_, {})) add_again();
     }
     topic.stale = 0;
   } else if (topic.epoch < other.epoch) {
@@ -124,6 +127,17 @@ void SynchronizedInputs::noticeJump(const ros::Time& stamp, TopicTime& topic, To
 void SynchronizedInputs::addCamera(const sensor_msgs::CameraInfoConstPtr& camera) {
   if (cloud_pairs_) cloud_pairs_->addCamera(camera);
   if (depth_pairs_) depth_pairs_->addCamera(camera);
+}
+
+/// What came on the first topic while the camera_info of the time before is still coming must not be lost with that.
+void SynchronizedInputs::addFirst(const std::function<void()>& add) {
+  if (first_time_.epoch > camera_time_.epoch) {
+    recent_firsts_.push_back(add);
+    if (recent_firsts_.size() > static_cast<std::size_t>(settings_.queue_size)) recent_firsts_.pop_front();
+  } else {
+    recent_firsts_.clear();
+  }
+  add();
 }
 
 /// Whether there has been no camera_info for so long that there will be none.
@@ -150,7 +164,7 @@ void SynchronizedInputs::receiveCloud(const sensor_msgs::PointCloud2ConstPtr& cl
     if (noteFirst(cloud->header.stamp)) {
       hand({cloud, nullptr, nullptr, nullptr});
     } else {
-      cloud_pairs_->addFirst(cloud);
+      addFirst([this, cloud] { cloud_pairs_->addFirst(cloud); });
     }
   });
 }
@@ -158,7 +172,7 @@ void SynchronizedInputs::receiveCloud(const sensor_msgs::PointCloud2ConstPtr& cl
 void SynchronizedInputs::receiveDepth(const sensor_msgs::ImageConstPtr& depth) {
   guarded([&] {
     noteFirst(depth->header.stamp);
-    depth_pairs_->addFirst(depth);
+    addFirst([this, depth] { depth_pairs_->addFirst(depth); });
   });
 }
 

@@ -69,6 +69,7 @@ class SynchronizedInputs {
   void noticeJump(const ros::Time& stamp, TopicTime& topic, TopicTime& other);
   void forgetPairs();
   void addCamera(const sensor_msgs::CameraInfoConstPtr& camera);
+  void addFirst(const std::function<void()>& add);
   sensor_msgs::ImageConstPtr nearestColor(const ros::Time& stamp) const;
 
   ros::NodeHandle nh_, private_nh_;
@@ -83,6 +84,7 @@ class SynchronizedInputs {
   // A jump shows on one topic first; messages of the time before may still come on the other one.
   TopicTime first_time_, camera_time_;
   std::deque<sensor_msgs::CameraInfoConstPtr> recent_cameras_;  // of this epoch
+  std::deque<std::function<void()>> recent_firsts_;  ///< adds again what came since the first topic alone went back
   Clock::time_point first_arrival_;
 
   std::atomic<bool> subscribed_{false};

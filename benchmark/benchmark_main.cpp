@@ -73,6 +73,7 @@ int main(int argc, char** argv) {
   }
   const Result<std::vector<BenchmarkScene>> scenes = findBenchmarkScenes(options.scenes);
   if (!scenes.ok()) return complain(kFailed, scenes.status.message);
+  if (!options.alone.empty()) return runAlone(options.alone, scenes.value.front()) ? kDone : kFailed;
   if (!saveRun(options, scenes.value)) return complain(kFailed, "cannot write into the folder " + options.out);
 
   PeakMemory memory;

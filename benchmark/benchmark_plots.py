@@ -26,7 +26,8 @@ def finish(axes, x, y):
     axes.set(xlabel=x, ylabel=y)
     axes.set_yscale("log")
     axes.grid(True, which="both", color="#eeeeee")
-    axes.legend(fontsize=7)
+    if axes.get_legend_handles_labels()[0]:
+        axes.legend(fontsize=7)
 
 
 def draw_objects(results, axes, keys, simulated):

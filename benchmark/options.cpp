@@ -27,6 +27,8 @@ po::options_description shownOptions() {
   add("out", po::value<std::string>()->value_name("DIR"), "folder for the report, which must be there");
   add("repetitions", po::value<int>()->value_name("N"), "runs of each frame and bounded search (7)");
   add("quick", po::bool_switch(), "two runs of everything, no peak memory");
+  add("alone", po::value<std::string>()->value_name("METHOD/VOLUME"),
+      "only run this method once in the scene: peak memory is that of such a process");
   add("help,h", po::bool_switch(), "print this");
   return options;
 }
@@ -55,6 +57,7 @@ Result<Options> parseOptions(int argc, const char* const* argv) {
       options.print = help.str();
       return parsed;
     }
+    options.alone = textOf(values, "alone");
     options.out = textOf(values, "out");
     options.scenes = listOf(values, "input");
     if (values["quick"].as<bool>()) {
@@ -65,7 +68,8 @@ Result<Options> parseOptions(int argc, const char* const* argv) {
   } catch (const po::error& e) {
     return Result<Options>::error(StatusCode::kBadConfig, e.what());
   }
-  if (options.out.empty()) return Result<Options>::error(StatusCode::kBadConfig, "--out DIR is needed");
+  if (options.out.empty() && options.alone.empty())
+    return Result<Options>::error(StatusCode::kBadConfig, "--out DIR is needed");
   if (options.scenes.empty()) return Result<Options>::error(StatusCode::kBadConfig, "no scenes are given");
   if (options.repetitions.frames < 1) {
     return Result<Options>::error(StatusCode::kBadConfig, "--repetitions needs a number above 0");

@@ -11,6 +11,7 @@ namespace objectness::benchmarks {
 
 struct Options {
   std::string print;  ///< the help, when it was asked for
+  std::string alone;  ///< a method that is to be run once: runAlone()
   std::string out;
   std::vector<std::string> scenes;
   Repetitions repetitions;

@@ -3,6 +3,8 @@
 
 #include <sys/mman.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <new>
 
@@ -30,8 +32,24 @@ class SharedNumbers {
   void* memory_;
 };
 
+std::string nameOf(const FrameMethod& method) { return method.name + "/" + method.volume; }
+
 std::string keyOf(const BenchmarkScene& scene, const FrameMethod& method) {
-  return method.name + "/" + method.volume + "/" + scene.source.name;
+  return nameOf(method) + "/" + scene.source.name;
+}
+
+/// The peak of this program, run anew with --alone; 0 when that fails.
+double peakMib(const BenchmarkScene& scene, const FrameMethod& method) {
+  const std::string name = nameOf(method);
+  const pid_t pid = fork();
+  if (pid == 0) {
+    execl("/proc/self/exe", "benchmark_objectness", "--alone", name.c_str(), scene.source.folder.c_str(), nullptr);
+    _exit(1);
+  }
+  int status = 0;
+  rusage usage{};
+  if (pid < 0 || wait4(pid, &status, 0, &usage) != pid || !WIFEXITED(status) || WEXITSTATUS(status) != 0) return 0;
+  return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
 }  // namespace
@@ -45,12 +63,7 @@ void PeakMemory::measure(const std::vector<BenchmarkScene>& scenes, const std::v
   }
   if (jobs.empty()) return;
   SharedNumbers peak(jobs.size());
-  const auto work = [&](int i) {
-    if (!jobs[i].second->run(frameOf(*jobs[i].first)).status.ok()) return;
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    peak[i] = static_cast<double>(usage.ru_maxrss) / 1024;
-  };
+  const auto work = [&](int i) { peak[i] = peakMib(*jobs[i].first, *jobs[i].second); };
   const auto done = [&](int i, const std::string& failure) {
     if (failure.empty()) mib_[keyOf(*jobs[i].first, *jobs[i].second)] = peak[i];
   };
@@ -60,6 +73,13 @@ void PeakMemory::measure(const std::vector<BenchmarkScene>& scenes, const std::v
 double PeakMemory::mib(const BenchmarkScene& scene, const FrameMethod& method) const {
   const auto found = mib_.find(keyOf(scene, method));
   return found == mib_.end() ? 0 : found->second;
+}
+
+bool runAlone(const std::string& method, const BenchmarkScene& scene) {
+  for (const FrameMethod& known : frameMethods()) {
+    if (nameOf(known) == method) return known.run(frameOf(scene)).status.ok();
+  }
+  return false;
 }
 
 }  // namespace objectness::benchmarks

@@ -14,8 +14,8 @@ namespace objectness::benchmarks {
 /// The most memory (MiB) that a process held which read one scene and segmented it once.
 class PeakMemory {
  public:
-  /// Measures all of the package's own methods in all scenes. To be called before this process has read any scene: a
-  /// child begins with what its parent holds.
+  /// Measures all of the package's own methods in all scenes, each in a process of its own that calls runAlone(). A
+  /// fork would not do: it shares the libraries' pages with its parent.
   void measure(const std::vector<BenchmarkScene>& scenes, const std::vector<FrameMethod>& methods);
 
   /// 0 where it was not measured or the process failed.
@@ -24,5 +24,8 @@ class PeakMemory {
  private:
   std::map<std::string, double> mib_;
 };
+
+/// Reads one scene and segments it once by the method "NAME/VOLUME"; what this program does with --alone.
+bool runAlone(const std::string& method, const BenchmarkScene& scene);
 
 }  // namespace objectness::benchmarks

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fixtures/leaf_model.hpp"
@@ -184,4 +186,34 @@ TEST_F(SegmentTool, LinksNoRos) {
 TEST(Parameters, TheFilesWrittenFromTheFieldListsAreFresh) {
   const std::string check = "/usr/bin/python3 " REPOSITORY_DIR "/scripts/update_parameters --check " TOOL_DIR;
   EXPECT_EQ(std::system(check.c_str()), 0) << "run scripts/update_parameters";
+}
+
+/// Where a processor has no AVX2, and on other kinds of processors.
+TEST_F(SegmentTool, PortableKernelsGiveTheSameResult) {
+  const std::string scene = makeScene("kitchen");
+  const auto resultOf = [&](const std::string& tool, const std::string& method) {
+    const std::string out = folder_ / (tool + "_" + method);
+    const Outcome outcome = ToolTest::run(tool, "--method " + method + " --out " + out + " " + scene);
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
+    auto json = nlohmann::json::parse(readBytes(out + "/kitchen/objects.json"));
+    json["report"].erase("timings_ms");
+    EXPECT_GE(json["objects"].size(), 3u);
+    return std::make_pair(json.dump(1), readBytes(out + "/kitchen/labels.png"));
+  };
+  for (const std::string method : {"objectness", "paper"}) {
+    const auto usual = resultOf("segment", method), portable = resultOf("segment_portable", method);
+    EXPECT_EQ(portable.first, usual.first) << method;
+    EXPECT_TRUE(portable.second == usual.second) << method << ": other pixels";
+  }
+  // The comparison is one of kernels only as long as the library calls those of the tool.
+  const std::string tool = kTools + "/segment_portable";
+  const Outcome run = runCommand("env LD_DEBUG=bindings " + tool + common() + scene);
+  ASSERT_EQ(run.exit_status, 0);
+  std::istringstream bindings(run.err);
+  int own = 0;
+  for (std::string line; std::getline(bindings, line);) {
+    const auto from = line.find("_core.so"), to = line.find("] to " + tool);
+    own += from < to && to != std::string::npos && line.find("neededStraddling") != std::string::npos;
+  }
+  EXPECT_GT(own, 0) << "the library uses its own kernels";
 }

@@ -116,12 +116,15 @@ PlaneGrid makePlaneGrid(const SurfaceSamples& samples, const Plane& plane, doubl
   for (const auto& sample : samples.samples) {
     if (!sample.valid()) continue;
     const float height = fast.height(sample.point);
+    const bool behind = height < -(sample.tolerance() + kBehindM);
+    const bool over = height > sample.tolerance() && height < kCoverCeilingM;
+    if (!behind && !over) continue;  // most of a view
     const Eigen::Vector2f foot = axes * sample.point;
     const float scale = fast.d / (fast.d - height);  // the ray from the camera (at height d) crosses height 0 here
     const bool crosses = scale > 0 && grid.cell(foot.x() * scale, foot.y() * scale, cell);
-    if (height < -(sample.tolerance() + kBehindM)) {
+    if (behind) {
       if (crosses && grid.on_plane(cell) == 0) grid.seen_through(cell) = 255;
-    } else if (height > sample.tolerance() && height < kCoverCeilingM) {
+    } else {
       if (crosses) grid.covered(cell) = 255;
       if (grid.cell(foot.x(), foot.y(), cell)) grid.covered(cell) = 255;
     }

@@ -33,9 +33,10 @@ void assignGeodesic(const Frame& frame, const cv::Mat_<uchar>& open, const Geode
     }
   };
 
-  for (int pixel = 0; pixel < frame.size(); ++pixel) {
-    const int from = owner(pixel / width, pixel % width);
-    if (from >= 0) visitNeighbours(pixel, 0, from);
+  for (int v = 0; v < height; ++v) {
+    for (int u = 0; u < width; ++u) {
+      if (owner(v, u) >= 0) visitNeighbours(v * width + u, 0, owner(v, u));
+    }
   }
   while (!queue.empty()) {
     const auto [so_far, from, pixel] = queue.top();

@@ -42,23 +42,35 @@ Result<Plane> choosePlane(const SurfaceSamples& samples, double focal, const std
     return Result<Plane>::error(StatusCode::kBadConfig, "table.up_known is set but (up_x, up_y, up_z) has no length");
   }
   const double min_cosine = std::cos(config.max_tilt_deg * M_PI / 180);
-  const Plane* best = nullptr;
-  double best_score = 0, largest = 0;
   const auto isTilted = [&](const Plane& plane) {
     return config.up_known && plane.normal.dot(up.normalized()) < min_cosine;
   };
-  std::vector<TableEvidence> evidence(planes.size());
-  parallelFor(static_cast<int>(planes.size()), threads, [&](int i) {
-    if (!isTilted(planes[i])) evidence[i] = judgeTable(samples, planes[i], focal);
+  const int count = static_cast<int>(planes.size());
+  std::vector<SeenPlane> seen(planes.size());
+  parallelFor(count, threads, [&](int i) {
+    if (!isTilted(planes[i])) seen[i] = seePlane(samples, planes[i]);
   });
-  const auto tilted = std::count_if(planes.begin(), planes.end(), isTilted);
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    largest = std::max(largest, evidence[i].area_m2);
-    const double score = evidence[i].score(planes[i]);
-    if (evidence[i].area_m2 >= config.min_area_m2 && !isTilted(planes[i]) && score > best_score) {
-      best_score = score, best = &planes[i];
-    }
+  // The most promising plane first: most of the others can then be told from it by what is quick to tell.
+  std::vector<double> scores(planes.size(), 0);
+  const auto mayBeTable = [&](int i) { return seen[i].evidence.area_m2 >= config.min_area_m2 && !isTilted(planes[i]); };
+  int first = -1;
+  for (int i = 0; i < count; ++i) {
+    if (!mayBeTable(i)) continue;
+    scores[i] = seen[i].evidence.score(planes[i]);
+    if (first < 0 || scores[i] > scores[first]) first = i;
   }
+  const auto judge = [&](int i) { scores[i] = judgeTable(samples, planes[i], seen[i], focal).score(planes[i]); };
+  if (first >= 0) judge(first);
+  parallelFor(count, threads, [&](int i) {
+    if (i != first && mayBeTable(i) && scores[i] >= scores[first]) judge(i);
+  });
+  const Plane* best = nullptr;
+  double best_score = 0, largest = 0;
+  for (int i = 0; i < count; ++i) {
+    largest = std::max(largest, seen[i].evidence.area_m2);
+    if (mayBeTable(i) && scores[i] > best_score) best_score = scores[i], best = &planes[i];
+  }
+  const auto tilted = std::count_if(planes.begin(), planes.end(), isTilted);
   if (best) return {{}, *best};
 
   const auto valid =

@@ -36,20 +36,31 @@ struct Group {
   Eigen::Vector2f low = Eigen::Vector2f::Constant(1e9f), high = Eigen::Vector2f::Constant(-1e9f);
 };
 
+double scaleOf(const SurfaceSamples& view) { return kNormalView / std::max<std::size_t>(1, view.samples.size()); }
+
 }  // namespace
 
-TableEvidence judgeTable(const SurfaceSamples& view, const Plane& plane, double focal) {
-  TableEvidence evidence;
-  const PlaneGrid grid = makePlaneGrid(view, plane, kCellM);
+SeenPlane seePlane(const SurfaceSamples& view, const Plane& plane) {
+  SeenPlane seen;
+  seen.grid = makePlaneGrid(view, plane, kCellM);
+  if (seen.grid.empty()) return seen;
+  seen.core = extentOf(seen.grid) == kCore;
+  const double cell_area = kCellM * kCellM;
+  TableEvidence& evidence = seen.evidence;
+  evidence.area_m2 = cv::countNonZero(seen.core) * cell_area;
+  evidence.seen_m2 = cv::countNonZero(seen.grid.on_plane & seen.core) * cell_area;
+  evidence.inliers = seen.grid.samples_on_plane * scaleOf(view);
+  evidence.carried = static_cast<int>(kNormalView);
+  return seen;
+}
+
+TableEvidence judgeTable(const SurfaceSamples& view, const Plane& plane, const SeenPlane& seen, double focal) {
+  TableEvidence evidence = seen.evidence;
+  const PlaneGrid& grid = seen.grid;
   if (grid.empty()) return evidence;
-  const cv::Mat_<uchar> core = extentOf(grid) == kCore;
+  const cv::Mat_<uchar>& core = seen.core;
   cv::Mat_<uchar> inner;  // less a rim, where neighbours of the table show
   cv::erode(core, inner, cv::Mat::ones(3, 3, CV_8U));
-  const double cell_area = kCellM * kCellM;
-  evidence.area_m2 = cv::countNonZero(core) * cell_area;
-  evidence.seen_m2 = cv::countNonZero(grid.on_plane & core) * cell_area;
-  const double scale = kNormalView / std::max<std::size_t>(1, view.samples.size());
-  evidence.inliers = grid.samples_on_plane * scale;
 
   // Samples over and under the extent.
   const FastPlane fast(plane);
@@ -113,7 +124,7 @@ TableEvidence judgeTable(const SurfaceSamples& view, const Plane& plane, double 
     // A table stands on the floor: what is over the ceiling is not carried, whatever it belongs to.
     carried += (group.count - group.too_high) * (unlikely ? kUnlikely : 1.0);
   }
-  evidence.carried = static_cast<int>(carried * scale);
+  evidence.carried = static_cast<int>(carried * scaleOf(view));
   return evidence;
 }
 

@@ -18,7 +18,16 @@ struct TableEvidence {
   double score(const Plane& plane) const;
 };
 
-/// `focal` is that of the view's camera, pixels.
-TableEvidence judgeTable(const SurfaceSamples& samples, const Plane& plane, double focal);
+/// A plane in a view, with what is quick to tell of it. What is not known yet is at its best in `evidence`, so its
+/// score is a bound.
+struct SeenPlane {
+  PlaneGrid grid;
+  cv::Mat_<uchar> core;  ///< 255 = table that was seen, and what it surrounds; of the size of the grid
+  TableEvidence evidence;
+};
+SeenPlane seePlane(const SurfaceSamples& samples, const Plane& plane);
+
+/// All of the evidence. `focal` is that of the view's camera, pixels.
+TableEvidence judgeTable(const SurfaceSamples& samples, const Plane& plane, const SeenPlane& seen, double focal);
 
 }  // namespace objectness

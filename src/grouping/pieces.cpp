@@ -18,13 +18,14 @@ void addRoughParts(const Frame& frame, const ObjectPoints& object_points, const 
   cv::Mat_<uchar> rest = (pieces.label < 0) & object_points.mask;
   int count = 0;
   const Gap gap{static_cast<float>(config.max_step_m), 0, 0, {}};
-  const cv::Mat_<int> part = connectPoints(frame.points, rest, gap, count, threads);
+  const cv::Mat_<int> parts = connectPoints(frame.points, rest, gap, count, threads);
+  const int* part = parts[0];
   std::vector<int> pixels(count + 1, 0), piece_of(count + 1, -1);
   std::vector<double> area(count + 1, 0);
   for (int i = 0; i < frame.size(); ++i) {
-    if (part(i) == 0) continue;
-    ++pixels[part(i)];
-    area[part(i)] += pixelArea(frame, i);
+    if (part[i] == 0) continue;
+    ++pixels[part[i]];
+    area[part[i]] += pixelArea(frame, i);
   }
   int next = pieces.count();
   for (int k = 1; k <= count; ++k) {
@@ -32,14 +33,15 @@ void addRoughParts(const Frame& frame, const ObjectPoints& object_points, const 
   }
   pieces.pieces.resize(next);
   for (int i = 0; i < frame.size(); ++i) {
-    if (part(i) > 0) pieces.label(i) = piece_of[part(i)];
+    if (part[i] > 0) pieces.label(i) = piece_of[part[i]];
   }
 }
 
 void describe(const Frame& frame, const Normals& normals, const Superpixels& superpixels, Pieces& pieces) {
+  const int* label = pieces.label[0];
   for (int i = 0; i < frame.size(); ++i) {
-    if (pieces.label(i) < 0) continue;
-    Piece& piece = pieces.pieces[pieces.label(i)];
+    if (label[i] < 0) continue;
+    Piece& piece = pieces.pieces[label[i]];
     piece.pixels.push_back(i);
     piece.smooth_pixels += superpixels.label(i) > 0;
     piece.area_m2 += static_cast<float>(pixelArea(frame, i));

@@ -17,14 +17,16 @@ cv::Mat_<uchar> tableSurface(const Normals& normals, const Table& table, const H
                              const cv::Mat_<uchar>& mask, int threads) {
   const Eigen::Vector3f up = table.normal.cast<float>();
   cv::Mat_<uchar> surface(mask.size());
-  const auto isTable = [&](int v, int u) {
-    if (mask(v, u) || !map.inside(v, u) || !(std::abs(map.height_m(v, u)) <= map.threshold_m(v, u))) return false;
-    const int i = v * mask.cols + u;
-    return !(normals.radius_px[i] > 0 && normals.normal[i].dot(up) < kMinTableCosine);
-  };
   forRowBands(mask.rows, threads, [&](int first, int last) {
     for (int v = first; v < last; ++v) {
-      for (int u = 0; u < mask.cols; ++u) surface(v, u) = isTable(v, u) ? 255 : 0;
+      const float *height = map.height_m[v], *threshold = map.threshold_m[v];
+      const uchar *object = mask[v], *inside = map.inside[v];
+      const uchar* radius = normals.radius_px.data() + std::size_t(v) * mask.cols;
+      const Eigen::Vector3f* normal = normals.normal.data() + std::size_t(v) * mask.cols;
+      for (int u = 0; u < mask.cols; ++u) {
+        const bool level = !object[u] && inside[u] && std::abs(height[u]) <= threshold[u];
+        surface(v, u) = level && !(radius[u] > 0 && normal[u].dot(up) < kMinTableCosine) ? 255 : 0;
+      }
     }
   });
   return surface;

@@ -7,7 +7,10 @@
 
 #include "../src/scene/height_map.hpp"
 #include "../src/scene/plane_grid.hpp"
+#include "../src/scene/plane_hypotheses.hpp"
 #include "../src/scene/plane_samples.hpp"
+#include "../src/scene/surface_samples.hpp"
+#include "../src/scene/table_evidence.hpp"
 #include "../src/scene/wall_patches.hpp"
 #include "fixtures/random_frame.hpp"
 #include "fixtures/ray_cast.hpp"
@@ -130,6 +133,28 @@ TEST(Table, DoesNotDependOnTheNumberOfThreads) {
   EXPECT_TRUE(samePixels(one.value.extent.cells, three.value.extent.cells));
   EXPECT_TRUE(sameBits(one.value.noise.quadratic_per_m, three.value.noise.quadratic_per_m));
   EXPECT_EQ(one.value.other_planes.size(), three.value.other_planes.size());
+}
+
+/// findTable() leaves out planes by it.
+TEST(TableEvidence, WhatIsQuickToTellOfAPlaneIsABoundOfItsScore) {
+  int planes = 0, far_below = 0;
+  for (const bool bin : {true, false}) {
+    Scene scene;
+    scene.surfaces = {slab(-0.5, -0.4, 0.5, 0.4, 0), box({-0.1, 0.1, 0}, {0.1, 0.2, 0.12}), slab(-3, -3, 3, 3, -0.7)};
+    const Frame frame = bin ? binView() : scene.render();
+    const SurfaceSamples samples = sampleSurface(frame, estimateNormals(frame, {}), DepthNoise(), 40000);
+    for (const Plane& plane : findPlanes(samples, 1)) {
+      const SeenPlane seen = seePlane(samples, plane);
+      const double bound = seen.evidence.score(plane);
+      const TableEvidence all = judgeTable(samples, plane, seen, frame.camera.focal());
+      EXPECT_LE(all.score(plane), bound);
+      EXPECT_EQ(all.area_m2, seen.evidence.area_m2);
+      far_below += all.score(plane) < 0.5 * bound;
+      ++planes;
+    }
+  }
+  EXPECT_GE(planes, 4);
+  EXPECT_GT(far_below, 0) << "the rest of the evidence must count";
 }
 
 TEST(HeightMap, IsThatOfEveryPointByItself) {

@@ -7,7 +7,9 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <vector>
@@ -24,6 +26,7 @@ constexpr std::uint64_t kMaxLzfRatio = 264 / 3;
 
 const char* const kKeys[] = {"VERSION", "FIELDS", "SIZE",      "TYPE",   "COUNT",
                              "WIDTH",   "HEIGHT", "VIEWPOINT", "POINTS", "DATA"};
+constexpr int kLongestKey = 9;
 
 struct PcdHeader {
   std::map<std::string, std::vector<std::string>> entries;  ///< "WIDTH" -> {"640"}
@@ -60,6 +63,20 @@ bool perFieldEntriesFit(const PcdHeader& header) {
                      [](const std::string& type) { return type == "F" || type == "I" || type == "U"; });
 }
 
+/// PCL reads on as if in the header after DATA, over empty lines and comments, as long as a line begins with a key: the
+/// fields would not be those that were checked.
+bool goesOnAfterData(std::ifstream& file) {
+  for (std::string word; file >> std::setw(kLongestKey) >> word;) {
+    if (word[0] == '#') {
+      file.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+      continue;
+    }
+    const auto begins = [&](const char* key) { return word.rfind(key, 0) == 0; };
+    return begins("COLUMNS") || std::any_of(std::begin(kKeys), std::end(kKeys), begins);
+  }
+  return false;
+}
+
 Result<PcdHeader> readHeader(std::ifstream& file) {
   Result<PcdHeader> header;
   std::string line;
@@ -86,7 +103,11 @@ Result<PcdHeader> readHeader(std::ifstream& file) {
     std::vector<std::string>& values = header.value.entries[key];
     while (words >> word) values.push_back(word);
     if (key == "DATA") {
-      header.value.data_offset = static_cast<std::uint64_t>(file.tellg());
+      const std::ifstream::pos_type data = file.tellg();
+      header.value.data_offset = static_cast<std::uint64_t>(data);
+      if (goesOnAfterData(file)) return Result<PcdHeader>::error(bad("is damaged: its header goes on after its DATA"));
+      file.clear();
+      file.seekg(data);
       return header;
     }
   }

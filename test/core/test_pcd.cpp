@@ -109,6 +109,9 @@ TEST_F(PcdFile, BadFiles) {
   expectError(header("WIDTH 32\nHEIGHT 24\nWIDTH 1", "768", "binary") + data(false), "has two lines WIDTH");
   expectError(header("WIDTH 32\nHEIGHT 24\nWIDTHS 1", "768", "binary") + data(false), "has a line 'WIDTHS'");
   expectError(header("WIDTH 32\nHEIGHT 24\x01", "768", "binary") + data(false), "its header is no text");
+  for (const char* more : {"FIELDS x", "\nDATA", "# a comment\n \nSIZES 8"}) {  // PCL takes them for its header
+    expectError(good + more + data(false), "its header goes on after its DATA");
+  }
   expectError(header("WIDTH 8192\nHEIGHT 8192", "67108864", "binary") + data(false), "is cut off");
   EXPECT_NE(loadPcd(folder_ / "missing.pcd").status.message.find("no such file"), std::string::npos);
 }

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "objectness_segmentation/common/frame_memory.hpp"
 #include "objectness_segmentation/evaluation/run.hpp"
 #include "options.hpp"
 #include "progress_reporter.hpp"
@@ -64,6 +65,7 @@ void initializeLibrary(const Options& options, const std::string& program) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keepFrameMemory();  // as all programs that segment
   const Result<Options> parsed = parseOptions(argc, argv);
   if (!parsed.ok()) return complain(kUsageError, parsed.status.message + " (benchmark_objectness --help)");
   const Options& options = parsed.value;

@@ -2,6 +2,7 @@
 #include "objectness_segmentation/common/thread_pool.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <system_error>
 
 namespace objectness {
@@ -9,6 +10,14 @@ namespace {
 
 thread_local ThreadPool* current_pool = nullptr;
 thread_local bool helping = false;
+
+/// Looks out for what a sleeping thread would be woken up for. Others that have work come first.
+template <class Condition>
+void lookOut(Condition&& happened) {
+  constexpr auto kWhile = std::chrono::microseconds(100);
+  const auto end = std::chrono::steady_clock::now() + kWhile;
+  while (!happened() && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+}
 
 }  // namespace
 
@@ -63,16 +72,25 @@ void ThreadPool::run(int count, int threads, const std::function<void(int)>& cal
   }
   wake_.notify_all();
   work();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    wanted_ = 0;  // who has not come yet is not needed any more
+  }
+  lookOut([this] { return running_ == 0; });
   std::unique_lock<std::mutex> lock(mutex_);
-  wanted_ = 0;  // who has not come yet is not needed any more
   done_.wait(lock, [this] { return running_ == 0; });
   if (failure_) std::rethrow_exception(failure_);
 }
 
 void ThreadPool::help() {
   unsigned seen = 0;
-  std::unique_lock<std::mutex> lock(mutex_);
   for (;;) {
+    lookOut([&] { return stop_ || job_ != seen; });
+    std::unique_lock<std::mutex> lock(mutex_);
+    if (job_ != seen && wanted_ == 0) {  // a job that has no need of this thread
+      seen = job_;
+      continue;
+    }
     wake_.wait(lock, [&] { return stop_ || (job_ != seen && wanted_ > 0); });
     if (stop_) return;
     seen = job_;

@@ -2,6 +2,9 @@
 #include "frame_processor.hpp"
 
 #include <chrono>
+#include <utility>
+
+#include "objectness_segmentation/common/frame_memory.hpp"
 
 namespace objectness_segmentation {
 namespace {
@@ -20,6 +23,7 @@ void preferUp(const Eigen::Vector3d& up, objectness::TableConfig& table) {
 ProcessedFrame FrameProcessor::process(const InputMessages& messages, objectness::Config config,
                                        const std::optional<objectness::LearnedObjectness>& model,
                                        const std::atomic<bool>& stop) {
+  if (!std::exchange(keeps_memory_, true)) objectness::keepFrameMemory();
   ProcessedFrame processed;
   const auto start = std::chrono::steady_clock::now();
   const CameraPose pose = poses_.at(messages.header(), stop);

@@ -32,6 +32,7 @@ class FrameProcessor {
  private:
   CameraPoses poses_;
   objectness::Tracker tracker_;
+  bool keeps_memory_ = false;
 };
 
 }  // namespace objectness_segmentation

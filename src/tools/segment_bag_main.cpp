@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <iostream>
 
+#include "objectness_segmentation/common/frame_memory.hpp"
 #include "segment_bag_options.hpp"
 #include "tool_message.hpp"
 
@@ -71,6 +72,7 @@ int main(int argc, char** argv) {
     std::cout << options.value.print << std::flush;
     return std::cout ? kAllDone : kSomeFailed;
   }
+  objectness::keepFrameMemory();
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { interrupted = true; });
   options.value.settings.cancel = &interrupted;
   try {

@@ -12,7 +12,8 @@
 namespace objectness {
 
 /// The threads that help the one that made it, until it is destroyed: none is left behind. parallelFor() calls from that
-/// thread use them instead of starting threads of their own.
+/// thread use them instead of starting threads of their own. A thread that waits looks out for a tenth of a millisecond
+/// before it sleeps: to be woken takes as long, and the next loop of a frame mostly begins earlier.
 class ThreadPool {
  public:
   /// threads: with the caller; 0: one per processor. Fewer when there are no more to be had.
@@ -40,9 +41,11 @@ class ThreadPool {
   std::vector<std::thread> helpers_;
   std::mutex mutex_;
   std::condition_variable wake_, done_;
-  bool stop_ = false;
-  int wanted_ = 0, running_ = 0;
-  unsigned job_ = 0;
+  // Written under the mutex, and looked at without it by who has not gone to sleep yet.
+  std::atomic<bool> stop_{false};
+  std::atomic<int> running_{0};
+  std::atomic<unsigned> job_{0};
+  int wanted_ = 0;
 
   // The job: written by run() before it wakes anyone.
   const std::function<void(int)>* call_ = nullptr;

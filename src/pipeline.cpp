@@ -5,6 +5,7 @@
 
 #include "guarded_segmentation.hpp"
 #include "objectness_segmentation/common/thread_pool.hpp"
+#include "objectness_segmentation/cues/surface_cues.hpp"
 #include "objectness_segmentation/grouping/bottom_up.hpp"
 #include "objectness_segmentation/grouping/group_cost.hpp"
 #include "objectness_segmentation/grouping/hand_set.hpp"
@@ -87,11 +88,13 @@ Normals seeScene(const Frame& frame, const Config& config, const Stages& stage, 
       "object_points", [&] { return findObjectPoints(frame, normals, result.table, config.object_points, threads); });
 
   // Sec. 2.3 and 3.1 to 3.3: edges and smooth superpixels.
-  result.edges = stage("edges", [&] { return findEdges(frame, normals, result.table, above, config.edges, threads); });
   const SuperpixelsConfig superpixels =
       config.grouping.enabled ? config.superpixels : superpixelsForBoxes(config.superpixels);
-  result.superpixels =
-      stage("superpixels", [&] { return findSuperpixels(frame, normals, result.table, above, superpixels, threads); });
+  SurfaceCues cues = stage("surface_cues", [&] {
+    return findSurfaceCues(frame, normals, result.table, above, config.edges, superpixels, threads);
+  });
+  result.edges = std::move(cues.edges);
+  result.superpixels = std::move(cues.superpixels);
   stage.count("superpixels", result.superpixels.count);
   return normals;
 }

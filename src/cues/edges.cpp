@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "../scene/mask_parts.hpp"
-#include "crease.hpp"
+#include "cue_steps.hpp"
 #include "edge_detectors.hpp"
 
 namespace objectness {
@@ -40,10 +40,9 @@ int widestWindow(const Normals& normals, const ObjectPoints& object_points) {
 }
 
 cv::Mat_<uchar> findMetricEdges(const Frame& frame, const Normals& normals, const Table& table,
-                                const ObjectPoints& object_points, const cv::Mat_<uchar>& around_objects,
-                                const EdgesConfig& config, int threads) {
+                                const ObjectPoints& object_points, const BendMap& bends, const EdgesConfig& config,
+                                int threads) {
   cv::Mat_<uchar> kinds = findDepthEdges(frame, normals, table.noise, config, threads);
-  const BendMap bends = findBends(frame, normals, around_objects, threads);
   const cv::Mat_<uchar> creases = thinCreases(bends, normals, config.crease_deg, threads);
   // Outside the objects' mask only where one meets the table: a concave crease.
   kinds.setTo(kHighCurvature, creases & (kinds == 0) & (object_points.mask | (bends.concave > bends.convex)));
@@ -99,16 +98,27 @@ void dropSpecks(const Frame& frame, double min_length_m, cv::Mat_<uchar>& kinds)
 
 }  // namespace
 
-EdgeMap findEdges(const Frame& frame, const Normals& normals, const Table& table, const ObjectPoints& object_points,
-                  const EdgesConfig& config, int threads) {
+EdgeRegion edgeRegion(const Normals& normals, const ObjectPoints& object_points) {
   const int window = widestWindow(normals, object_points);
-  const cv::Mat_<uchar> near_objects = grown(object_points.mask, window);
+  const cv::Mat_<uchar> near = grown(object_points.mask, window);
+  return {near, grown(near, window)};
+}
+
+EdgeMap findEdges(const Frame& frame, const Normals& normals, const Table& table, const ObjectPoints& object_points,
+                  const EdgeRegion& region, const BendMap& bends, const EdgesConfig& config, int threads) {
   const cv::Mat_<uchar> found =
       config.pcl ? findPclEdges(frame, normals)
-                 : findMetricEdges(frame, normals, table, object_points, grown(near_objects, window), config, threads);
-  cv::Mat_<uchar> kinds = cleaned(found, frame, table, object_points, near_objects);
+                 : findMetricEdges(frame, normals, table, object_points, bends, config, threads);
+  cv::Mat_<uchar> kinds = cleaned(found, frame, table, object_points, region.near);
   dropSpecks(frame, config.min_length_m, kinds);
   return {kinds};
+}
+
+EdgeMap findEdges(const Frame& frame, const Normals& normals, const Table& table, const ObjectPoints& object_points,
+                  const EdgesConfig& config, int threads) {
+  const EdgeRegion region = edgeRegion(normals, object_points);
+  const BendMap bends = config.pcl ? BendMap() : findBends(frame, normals, region.around, threads);
+  return findEdges(frame, normals, table, object_points, region, bends, config, threads);
 }
 
 }  // namespace objectness

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "crease.hpp"
+#include "cue_steps.hpp"
 #include "grown_pieces.hpp"
 #include "objectness_segmentation/common/row_bands.hpp"
 
@@ -14,18 +14,19 @@ namespace objectness {
 namespace {
 
 constexpr double kResidualFloor = 0.0012;  // metres; whole millimetres of depth leave about this much on any plane
-constexpr int kTableStride = 5;            // every so many pixels are plenty for a median
+// Every so many pixels are plenty for a median. Coprime to the width of pictures: not the same columns in every row.
+constexpr int kResidualStride = 5, kStepStride = 17;
 
 /// Median over the table of a length per z^2: it holds the noise of this sensor in this frame.
 template <class Length>
-double tableMedian(const Frame& frame, const Normals& normals, const ObjectPoints& object_points, int threads,
-                   Length&& length_m) {
+double tableMedian(const Frame& frame, const Normals& normals, const ObjectPoints& object_points, int stride,
+                   int threads, Length&& length_m) {
   constexpr int kBands = 16;
   std::vector<float> lengths[kBands];
-  const int samples = (frame.size() + kTableStride - 1) / kTableStride;
+  const int samples = (frame.size() + stride - 1) / stride;
   parallelFor(kBands, threads, [&](int band) {
     for (int k = samples * band / kBands; k < samples * (band + 1) / kBands; ++k) {
-      const int i = k * kTableStride;
+      const int i = k * stride;
       const float z = frame.points[i].z();
       if (object_points.on_table(i) && normals.radius_px[i] > 0) lengths[band].push_back(length_m(i) / (z * z));
     }
@@ -38,18 +39,18 @@ double tableMedian(const Frame& frame, const Normals& normals, const ObjectPoint
   return *middle;
 }
 
-/// Object points whose window is one smooth piece of surface: not fitted badly, not bent, no step.
+}  // namespace
+
 cv::Mat_<uchar> smoothPixels(const Frame& frame, const Normals& normals, const ObjectPoints& object_points,
-                             const SuperpixelsConfig& config, int threads) {
+                             const BendMap& bends, const SuperpixelsConfig& config, int threads) {
   const auto residual = [&](int i) { return normals.residual_m[i]; };
   const bool steps = std::isfinite(config.min_step_m);  // superpixelsForBoxes() has none: no time for them either
   const auto tableStep = [&](int i) {
     return !steps ? 0.f : stepAt(frame, normals, object_points.on_table, i % frame.width(), i / frame.width());
   };
-  const double max_residual = config.max_residuals * tableMedian(frame, normals, object_points, threads, residual);
-  const double max_step = config.max_steps * tableMedian(frame, normals, object_points, threads, tableStep);
+  const double max_residual = config.max_residuals * tableMedian(frame, normals, object_points, kResidualStride, threads, residual);
+  const double max_step = config.max_steps * tableMedian(frame, normals, object_points, kStepStride, threads, tableStep);
   const double max_concave = bendOf(config.concave_deg), max_convex = bendOf(config.convex_deg);
-  const BendMap bends = findBends(frame, normals, object_points.mask, threads);
   cv::Mat_<uchar> smooth(frame.height(), frame.width());
   cv::Mat_<float> step(smooth.size());
   const auto isSmooth = [&](int i) {
@@ -65,18 +66,15 @@ cv::Mat_<uchar> smoothPixels(const Frame& frame, const Normals& normals, const O
   return smooth;
 }
 
-}  // namespace
-
 SuperpixelsConfig superpixelsForBoxes(SuperpixelsConfig config) {
   config.min_step_m = std::numeric_limits<double>::infinity();
   config.narrow_share = 0;
   return config;
 }
 
-Superpixels findSuperpixels(const Frame& frame, const Normals& normals, const Table& table,
-                            const ObjectPoints& object_points, const SuperpixelsConfig& config, int threads) {
-  const cv::Mat_<uchar> smooth = smoothPixels(frame, normals, object_points, config, threads);
-  Superpixels superpixels{growPieces(frame, normals, table.noise, smooth, config, threads), 0};
+Superpixels growSuperpixels(const Frame& frame, const Normals& normals, const DepthNoise& noise,
+                            const cv::Mat_<uchar>& smooth, const SuperpixelsConfig& config, int threads) {
+  Superpixels superpixels{growPieces(frame, normals, noise, smooth, config, threads), 0};
   for (int i = 0; i < frame.size(); ++i) {
     int& label = superpixels.label(i);
     if (label < 0) {
@@ -86,6 +84,13 @@ Superpixels findSuperpixels(const Frame& frame, const Normals& normals, const Ta
     }
   }
   return superpixels;
+}
+
+Superpixels findSuperpixels(const Frame& frame, const Normals& normals, const Table& table,
+                            const ObjectPoints& object_points, const SuperpixelsConfig& config, int threads) {
+  const BendMap bends = findBends(frame, normals, object_points.mask, threads);
+  const cv::Mat_<uchar> smooth = smoothPixels(frame, normals, object_points, bends, config, threads);
+  return growSuperpixels(frame, normals, table.noise, smooth, config, threads);
 }
 
 }  // namespace objectness

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/grouping/bottom_up.hpp"
 
+#include "objectness_segmentation/common/parallel.hpp"
 #include "objectness_segmentation/grouping/propose_groups.hpp"
 #include "objectness_segmentation/learning/cue_list.hpp"
 
@@ -10,8 +11,10 @@ PieceGraph findPieceGraph(const Frame& frame, const Normals& normals, const Tabl
                           const ObjectPoints& object_points, const Superpixels& superpixels, const PiecesConfig& pieces,
                           const LinksConfig& links, int threads) {
   PieceGraph graph;
-  graph.pieces = findPieces(frame, normals, object_points, superpixels, pieces, threads);
-  graph.borders = findBorders(frame, object_points, graph.pieces);
+  graph.pieces = labelPieces(frame, object_points, superpixels, pieces, threads);
+  inParallel(
+      threads, [&] { describePieces(frame, normals, superpixels, graph.pieces); },
+      [&] { graph.borders = findBorders(frame, object_points, graph.pieces); });
   graph.pairs =
       findPairEvidence(frame, normals, table, object_points, superpixels, graph.pieces, graph.borders, links, threads);
   return graph;

@@ -37,7 +37,19 @@ void addRoughParts(const Frame& frame, const ObjectPoints& object_points, const 
   }
 }
 
-void describe(const Frame& frame, const Normals& normals, const Superpixels& superpixels, Pieces& pieces) {
+}  // namespace
+
+Pieces labelPieces(const Frame& frame, const ObjectPoints& object_points, const Superpixels& superpixels,
+                   const PiecesConfig& config, int threads) {
+  Pieces pieces;
+  pieces.label = superpixels.label - 1;
+  pieces.pieces.resize(superpixels.count);
+  assignGeodesic(frame, object_points.mask, {config.max_step_m, config.max_reach_m}, pieces.label);
+  addRoughParts(frame, object_points, config, threads, pieces);
+  return pieces;
+}
+
+void describePieces(const Frame& frame, const Normals& normals, const Superpixels& superpixels, Pieces& pieces) {
   const int* label = pieces.label[0];
   for (int i = 0; i < frame.size(); ++i) {
     if (label[i] < 0) continue;
@@ -54,16 +66,10 @@ void describe(const Frame& frame, const Normals& normals, const Superpixels& sup
   }
 }
 
-}  // namespace
-
 Pieces findPieces(const Frame& frame, const Normals& normals, const ObjectPoints& object_points,
                   const Superpixels& superpixels, const PiecesConfig& config, int threads) {
-  Pieces pieces;
-  pieces.label = superpixels.label - 1;
-  pieces.pieces.resize(superpixels.count);
-  assignGeodesic(frame, object_points.mask, {config.max_step_m, config.max_reach_m}, pieces.label);
-  addRoughParts(frame, object_points, config, threads, pieces);
-  describe(frame, normals, superpixels, pieces);
+  Pieces pieces = labelPieces(frame, object_points, superpixels, config, threads);
+  describePieces(frame, normals, superpixels, pieces);
   return pieces;
 }
 

@@ -56,14 +56,15 @@ void findClearInRow(const ClearRow& above, const ClearRow& row, const ClearRow& 
 }
 
 OBJECTNESS_CLONES("avx2")
-void spreadDistance(const unsigned char* before, int width, unsigned char* distance, unsigned char* scratch) {
+void spreadDistance(const unsigned char* before, int width, int most, unsigned char* distance,
+                    unsigned char* scratch) {
   if (before) {
     for (int u = 0; u < width; ++u) {
       const unsigned char nearest = smaller(smaller(before[u - 1], before[u + 1]), before[u]);
       distance[u] = smaller(distance[u], farther(nearest, 1));
     }
   }
-  for (int steps = 1; steps <= kDistanceMargin; steps *= 2) {
+  for (int steps = 1; steps <= most; steps *= 2) {
     const unsigned char by = static_cast<unsigned char>(steps);
     for (int u = 0; u < width; ++u) {
       scratch[u] = smaller(distance[u], farther(smaller(distance[u - steps], distance[u + steps]), by));

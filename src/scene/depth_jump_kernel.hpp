@@ -22,9 +22,9 @@ struct ClearRow {
 void findClearInRow(const ClearRow& above, const ClearRow& row, const ClearRow& below, int width, unsigned char* clear);
 
 /// One step of a distance transform in the chessboard metric, both ways along a row: makes `distance` no larger than
-/// that of any pixel of the row, or of `before` (the row done before; may be nullptr), plus the steps to it. Both have
-/// kDistanceMargin bytes of 255 to either side; `scratch` is like them.
-void spreadDistance(const unsigned char* before, int width, unsigned char* distance, unsigned char* scratch);
+/// that of any pixel of the row, or of `before` (the row done before; may be nullptr), plus the steps to it, as far as
+/// this is not above `most`. Both have kDistanceMargin bytes of 255 to either side; `scratch` is like them.
+void spreadDistance(const unsigned char* before, int width, int most, unsigned char* distance, unsigned char* scratch);
 constexpr int kDistanceMargin = 128;
 
 }  // namespace objectness

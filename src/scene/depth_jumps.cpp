@@ -52,7 +52,7 @@ std::vector<unsigned char> findDepthJumps(const Frame& frame, const NormalsConfi
   return jump;
 }
 
-cv::Mat_<uchar> clearRadius(const Frame& frame, const std::vector<unsigned char>& jump, int threads) {
+cv::Mat_<uchar> clearRadius(const Frame& frame, const std::vector<unsigned char>& jump, int threads, int most) {
   const int width = frame.width(), height = frame.height();
   std::vector<uchar> valid(static_cast<std::size_t>(frame.size()));
   forRowBands(height, threads, [&](int first, int last) {
@@ -61,24 +61,31 @@ cv::Mat_<uchar> clearRadius(const Frame& frame, const std::vector<unsigned char>
 
   // 0 = a window may not reach beyond this pixel: it lies beside a jump, beside (8-neighbours) a hole, or at the border
   // (so there always is a 0 to measure the distance from).
-  DistanceRows distance(width, height);
   const std::vector<uchar> outside(width, 0);
   const auto rowOf = [&](int v) -> ClearRow {
     if (v < 0 || v >= height) return {outside.data(), outside.data()};
     return {valid.data() + std::size_t(v) * width, jump.data() + std::size_t(v) * width};
   };
-  forRowBands(height, threads, [&](int first, int last) {
-    for (int v = first; v < last; ++v) findClearInRow(rowOf(v - 1), rowOf(v), rowOf(v + 1), width, distance.row(v));
-  });
-
-  for (int v = 0; v < height; ++v) {
-    spreadDistance(v > 0 ? distance.row(v - 1) : nullptr, width, distance.row(v), distance.scratch());
-  }
-  for (int v = height - 2; v >= 0; --v) {
-    spreadDistance(distance.row(v + 1), width, distance.row(v), distance.scratch());
-  }
   cv::Mat_<uchar> radius(height, width);
-  for (int v = 0; v < height; ++v) std::copy_n(distance.row(v), width, radius.ptr(v));
+  const int bands = ThreadPool::resolve(threads), rows_per_band = (height + bands - 1) / bands;
+  forRowBands(
+      height, threads,
+      [&](int first, int last) {
+        // What is farther than `most` from a band does not matter to it.
+        const int top = std::max(0, first - most), bottom = std::min(height, last + most);
+        DistanceRows distance(width, bottom - top);
+        const auto row = [&](int v) { return distance.row(v - top); };
+        for (int v = top; v < bottom; ++v) findClearInRow(rowOf(v - 1), rowOf(v), rowOf(v + 1), width, row(v));
+        for (int v = top; v < bottom; ++v) {
+          spreadDistance(v > top ? row(v - 1) : nullptr, width, most, row(v), distance.scratch());
+        }
+        for (int v = bottom - 2; v >= first; --v) spreadDistance(row(v + 1), width, most, row(v), distance.scratch());
+        for (int v = first; v < last; ++v) {
+          std::transform(row(v), row(v) + width, radius[v],
+                         [&](uchar clear) { return std::min(clear, static_cast<uchar>(most)); });
+        }
+      },
+      rows_per_band);
   return radius;
 }
 

@@ -12,7 +12,9 @@ std::vector<unsigned char> findDepthJumps(const Frame& frame, const NormalsConfi
                                           int threads = 1);
 
 /// H x W, per pixel the radius of the largest square window around it without a missing pixel, a jump or the outside,
-/// at most 255; 0 beside those. (At the very end of a jump's line the window may touch it with its border.)
-cv::Mat_<uchar> clearRadius(const Frame& frame, const std::vector<unsigned char>& jump, int threads = 1);
+/// at most `most` (up to 255); 0 beside those. (At the very end of a jump's line the window may touch it with its
+/// border.)
+cv::Mat_<uchar> clearRadius(const Frame& frame, const std::vector<unsigned char>& jump, int threads = 1,
+                            int most = 255);
 
 }  // namespace objectness

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "objectness_segmentation/common/parallel.hpp"
+
 namespace objectness {
 namespace {
 
@@ -17,21 +19,33 @@ constexpr double kMinQuadratic = 0.0003, kMaxQuadratic = 0.02;  // per metre; th
 }  // namespace
 
 DepthNoise measureNoise(const SurfaceSamples& view, const Plane& plane, const PlaneGrid& grid,
-                        const cv::Mat_<uchar>& extent) {
+                        const cv::Mat_<uchar>& extent, int threads) {
+  using Residuals = std::map<int, std::vector<float>>;  // by depth
+  constexpr int kParts = 8;
   const FastPlane fast(plane);
   const Eigen::Matrix<float, 2, 3> axes = grid.T_table_camera.linear().topRows<2>().cast<float>();
-  std::map<int, std::vector<float>> residuals;  // by depth
-  cv::Point cell;
-  for (const auto& sample : view.samples) {
-    if (!sample.valid()) continue;
-    const float height = fast.height(sample.point);
-    if (height > 0) continue;
-    const float z_on_plane = sample.point.z() * fast.d / (fast.d - height);
-    const float residual = sample.point.z() - z_on_plane;
-    if (residual > kMaxResidualM) continue;
-    const Eigen::Vector2f foot = axes * sample.point;
-    if (grid.cell(foot.x(), foot.y(), cell) && extent(cell) == kCore) {
-      residuals[static_cast<int>(z_on_plane / kBinM)].push_back(residual);
+  Residuals parts[kParts];
+  parallelFor(kParts, threads, [&](int part) {
+    const std::size_t size = view.samples.size();
+    cv::Point cell;
+    for (std::size_t i = size * part / kParts; i < size * (part + 1) / kParts; ++i) {
+      const auto& sample = view.samples[i];
+      if (!sample.valid()) continue;
+      const float height = fast.height(sample.point);
+      if (height > 0) continue;
+      const float z_on_plane = sample.point.z() * fast.d / (fast.d - height);
+      const float residual = sample.point.z() - z_on_plane;
+      if (residual > kMaxResidualM) continue;
+      const Eigen::Vector2f foot = axes * sample.point;
+      if (grid.cell(foot.x(), foot.y(), cell) && extent(cell) == kCore) {
+        parts[part][static_cast<int>(z_on_plane / kBinM)].push_back(residual);
+      }
+    }
+  });
+  Residuals residuals;
+  for (const Residuals& part : parts) {
+    for (const auto& [bin, values] : part) {
+      residuals[bin].insert(residuals[bin].end(), values.begin(), values.end());
     }
   }
 

@@ -8,6 +8,6 @@ namespace objectness {
 /// Noise of the depth readings on a plane, from the samples behind it within the extent (a grid of extentOf()): nothing
 /// that stands on the table gets there. The prior when too few samples are left.
 DepthNoise measureNoise(const SurfaceSamples& samples, const Plane& plane, const PlaneGrid& grid,
-                        const cv::Mat_<uchar>& extent);
+                        const cv::Mat_<uchar>& extent, int threads = 1);
 
 }  // namespace objectness

@@ -169,25 +169,29 @@ void addHollowFloors(const Frame& frame, const Table& table, const HeightMap& ma
   for (std::size_t k = 0; k < regions.size(); ++k) {
     const Region& region = regions[k];
     if (region.open) continue;
+    std::vector<cv::Point> level;  // with the table, about
+    for (const Run& run : runs[k]) {
+      for (int u = run.first; u < run.last; ++u) {
+        const bool is_level = std::abs(map.height_m(run.row, u)) <= 2 * map.threshold_m(run.row, u);
+        if (is_level) level.emplace_back(u, run.row);
+      }
+    }
+    if (level.size() < static_cast<std::size_t>(kMinFloorPixels)) continue;
+
     std::vector<cv::Point> footprint = hulls[region.things[0]];
     const std::vector<cv::Point>& second = hulls[region.things[1]];
     footprint.insert(footprint.end(), second.begin(), second.end());
     const cv::Mat_<uchar> inside = convexHullRaster(footprint, table.extent.cells.size());
-
     std::vector<cv::Point> floor;
     std::vector<float> heights;
     double depth = 0;
-    for (const Run& run : runs[k]) {
-      for (int u = run.first; u < run.last; ++u) {
-        const float h = map.height_m(run.row, u);
-        if (!(std::abs(h) <= 2 * map.threshold_m(run.row, u))) continue;
-        const Eigen::Vector3f& p = frame.points[static_cast<std::size_t>(run.row) * frame.width() + u];
-        const cv::Point cell = cellOf(axes * p, table.extent);
-        if (!cv::Rect(0, 0, inside.cols, inside.rows).contains(cell) || inside(cell) == 0) continue;
-        floor.emplace_back(u, run.row);
-        heights.push_back(h);
-        depth += p.z();
-      }
+    for (const cv::Point& pixel : level) {
+      const Eigen::Vector3f& p = frame.points[static_cast<std::size_t>(pixel.y) * frame.width() + pixel.x];
+      const cv::Point cell = cellOf(axes * p, table.extent);
+      if (!cv::Rect(0, 0, inside.cols, inside.rows).contains(cell) || inside(cell) == 0) continue;
+      floor.push_back(pixel);
+      heights.push_back(map.height_m(pixel));
+      depth += p.z();
     }
     if (floor.size() < static_cast<std::size_t>(kMinFloorPixels)) continue;
     const int reach_px = static_cast<int>(std::ceil(kAroundM * frame.camera.focal() * floor.size() / depth));

@@ -23,8 +23,8 @@ struct Patch {
   float sigma_m;
 };
 
-std::vector<Patch> patchesNear(const SurfaceSamples& view, const Plane& plane) {
-  const PlaneGrid grid = makePlaneGrid(view, plane, kCellM);
+std::vector<Patch> patchesNear(const SurfaceSamples& view, const Plane& plane, int threads) {
+  const PlaneGrid grid = makePlaneGrid(view, plane, kCellM, threads);
   if (grid.empty()) return {};
   const cv::Mat_<uchar> extent = extentOf(grid);
   const FastPlane fast(plane);
@@ -95,8 +95,8 @@ float lowerLayer(const std::vector<Patch>& patches, const Plane& plane) {
 
 }  // namespace
 
-Plane settleOnLowestLayer(const SurfaceSamples& view, const Plane& plane) {
-  const std::vector<Patch> patches = patchesNear(view, plane);
+Plane settleOnLowestLayer(const SurfaceSamples& view, const Plane& plane, int threads) {
+  const std::vector<Patch> patches = patchesNear(view, plane, threads);
   const Plane fitted = fitLayer(patches, plane, 0, 0.006f);
   const float lower = lowerLayer(patches, fitted);
   return lower < 0 ? fitLayer(patches, fitted, lower, 0.5f * kMinStepM) : fitted;

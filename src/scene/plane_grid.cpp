@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "objectness_segmentation/common/parallel.hpp"
 
 namespace objectness {
 namespace {
@@ -18,6 +21,7 @@ constexpr double kRimM = 0.05;           // things stand at the very edge, and t
 constexpr float kMinNormalCosine = 0.9063f;  // 25 deg
 constexpr float kBehindM = 0.015f;           // beyond the tolerance: further behind the plane than any dent of a table
 constexpr float kCoverCeilingM = 0.45f;      // higher things rather stand behind the table
+constexpr int kBands = 4;                    // of the samples, for threads to look at
 
 /// Structuring element that reaches this far to each side.
 cv::Mat square(double reach_m, double cell_m) {
@@ -55,6 +59,39 @@ cv::Mat_<uchar> fillHoles(const cv::Mat_<uchar>& cells) {
   return filled;
 }
 
+/// Lays the grid over the points on the plane: around their middle, as far as they go or a table can reach.
+void lay(const std::vector<std::vector<Eigen::Vector2f>>& on_plane, int threads, PlaneGrid& grid) {
+  const auto middleOf = [&](int axis) {
+    std::vector<float> values;
+    values.reserve(grid.samples_on_plane);
+    for (const auto& points : on_plane) {
+      for (const auto& p : points) values.push_back(p[axis]);
+    }
+    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+    return values[values.size() / 2];
+  };
+  Eigen::Vector2d middle;
+  parallelFor(2, threads, [&](int axis) { middle[axis] = middleOf(axis); });
+  Eigen::Vector2d low = middle, high = middle;
+  for (const auto& points : on_plane) {
+    for (const auto& p : points) {
+      low = low.cwiseMin(p.cast<double>());
+      high = high.cwiseMax(p.cast<double>());
+    }
+  }
+  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(kMaxReachM);
+  low = low.cwiseMax(middle - reach) - Eigen::Vector2d::Constant(kReachM);
+  high = high.cwiseMin(middle + reach) + Eigen::Vector2d::Constant(kReachM);
+  grid.origin = low;
+  grid.columns = static_cast<int>(std::ceil((high.x() - low.x()) / grid.cell_m));
+  grid.rows = static_cast<int>(std::ceil((high.y() - low.y()) / grid.cell_m));
+}
+
+/// What some of the samples say of the cells.
+struct Marks {
+  cv::Mat_<uchar> on_plane, seen_through, covered;
+};
+
 }  // namespace
 
 Eigen::Isometry3d tableFrame(const Plane& plane) {
@@ -70,65 +107,66 @@ Eigen::Isometry3d tableFrame(const Plane& plane) {
   return T;
 }
 
-PlaneGrid makePlaneGrid(const SurfaceSamples& samples, const Plane& plane, double cell_m) {
+PlaneGrid makePlaneGrid(const SurfaceSamples& samples, const Plane& plane, double cell_m, int threads) {
   PlaneGrid grid;
   grid.T_table_camera = tableFrame(plane);
   grid.cell_m = cell_m;
   const FastPlane fast(plane);
   const Eigen::Matrix<float, 2, 3> axes = grid.T_table_camera.linear().topRows<2>().cast<float>();
-
-  std::vector<Eigen::Vector2f> on_plane;
-  on_plane.reserve(samples.samples.size());
-  for (const auto& sample : samples.samples) {
-    if (!sample.valid() || std::abs(fast.height(sample.point)) > sample.tolerance()) continue;
-    if (sample.hasNormal() && sample.normal.dot(fast.normal) < kMinNormalCosine) continue;
-    on_plane.push_back(axes * sample.point);
-  }
-  grid.samples_on_plane = static_cast<int>(on_plane.size());
-  if (on_plane.empty()) return grid;
-
-  std::vector<float> x, y;
-  x.reserve(on_plane.size());
-  y.reserve(on_plane.size());
-  for (const auto& p : on_plane) x.push_back(p.x()), y.push_back(p.y());
-  std::nth_element(x.begin(), x.begin() + x.size() / 2, x.end());
-  std::nth_element(y.begin(), y.begin() + y.size() / 2, y.end());
-  const Eigen::Vector2d middle(x[x.size() / 2], y[y.size() / 2]);
-  Eigen::Vector2d low = middle, high = middle;
-  for (const auto& p : on_plane) {
-    low = low.cwiseMin(p.cast<double>());
-    high = high.cwiseMax(p.cast<double>());
-  }
-  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(kMaxReachM);
-  low = low.cwiseMax(middle - reach) - Eigen::Vector2d::Constant(kReachM);
-  high = high.cwiseMin(middle + reach) + Eigen::Vector2d::Constant(kReachM);
-  grid.origin = low;
-  const int columns = static_cast<int>(std::ceil((high.x() - low.x()) / cell_m));
-  const int rows = static_cast<int>(std::ceil((high.y() - low.y()) / cell_m));
-  grid.on_plane = cv::Mat_<uchar>(rows, columns, uchar(0));
-  grid.seen_through = cv::Mat_<uchar>(rows, columns, uchar(0));
-  grid.covered = cv::Mat_<uchar>(rows, columns, uchar(0));
-
-  cv::Point cell;
-  for (const auto& p : on_plane) {
-    if (grid.cell(p.x(), p.y(), cell)) grid.on_plane(cell) = 255;
-  }
-  for (const auto& sample : samples.samples) {
-    if (!sample.valid()) continue;
-    const float height = fast.height(sample.point);
-    const bool behind = height < -(sample.tolerance() + kBehindM);
-    const bool over = height > sample.tolerance() && height < kCoverCeilingM;
-    if (!behind && !over) continue;  // most of a view
-    const Eigen::Vector2f foot = axes * sample.point;
-    const float scale = fast.d / (fast.d - height);  // the ray from the camera (at height d) crosses height 0 here
-    const bool crosses = scale > 0 && grid.cell(foot.x() * scale, foot.y() * scale, cell);
-    if (behind) {
-      if (crosses && grid.on_plane(cell) == 0) grid.seen_through(cell) = 255;
-    } else {
-      if (crosses) grid.covered(cell) = 255;
-      if (grid.cell(foot.x(), foot.y(), cell)) grid.covered(cell) = 255;
+  const int bands = threads == 1 ? 1 : kBands;
+  const auto forSamplesOf = [&](int band, auto&& visit) {
+    const std::size_t size = samples.samples.size();
+    for (std::size_t i = size * band / bands; i < size * (band + 1) / bands; ++i) {
+      if (samples.samples[i].valid()) visit(samples.samples[i]);
     }
+  };
+
+  std::vector<std::vector<Eigen::Vector2f>> on_plane(bands);
+  parallelFor(bands, threads, [&](int band) {
+    on_plane[band].reserve(samples.samples.size() / bands + 1);
+    forSamplesOf(band, [&](const auto& sample) {
+      if (std::abs(fast.height(sample.point)) > sample.tolerance()) return;
+      if (sample.hasNormal() && sample.normal.dot(fast.normal) < kMinNormalCosine) return;
+      on_plane[band].push_back(axes * sample.point);
+    });
+  });
+  for (const auto& points : on_plane) grid.samples_on_plane += static_cast<int>(points.size());
+  if (grid.samples_on_plane == 0) return grid;
+  lay(on_plane, threads, grid);
+
+  std::vector<Marks> marks(bands);
+  parallelFor(bands, threads, [&](int band) {
+    Marks& mark = marks[band];
+    for (cv::Mat_<uchar>* cells : {&mark.on_plane, &mark.seen_through, &mark.covered}) {
+      *cells = cv::Mat_<uchar>(grid.rows, grid.columns, uchar(0));
+    }
+    cv::Point cell;
+    for (const auto& p : on_plane[band]) {
+      if (grid.cell(p.x(), p.y(), cell)) mark.on_plane(cell) = 255;
+    }
+    forSamplesOf(band, [&](const auto& sample) {
+      const float height = fast.height(sample.point);
+      const bool behind = height < -(sample.tolerance() + kBehindM);
+      const bool over = height > sample.tolerance() && height < kCoverCeilingM;
+      if (!behind && !over) return;  // most of a view
+      const Eigen::Vector2f foot = axes * sample.point;
+      const float scale = fast.d / (fast.d - height);  // the ray from the camera (at height d) crosses height 0 here
+      const bool crosses = scale > 0 && grid.cell(foot.x() * scale, foot.y() * scale, cell);
+      if (behind) {
+        if (crosses) mark.seen_through(cell) = 255;
+      } else {
+        if (crosses) mark.covered(cell) = 255;
+        if (grid.cell(foot.x(), foot.y(), cell)) mark.covered(cell) = 255;
+      }
+    });
+  });
+  grid.on_plane = marks[0].on_plane, grid.seen_through = marks[0].seen_through, grid.covered = marks[0].covered;
+  for (int band = 1; band < bands; ++band) {
+    grid.on_plane |= marks[band].on_plane;
+    grid.seen_through |= marks[band].seen_through;
+    grid.covered |= marks[band].covered;
   }
+  grid.seen_through.setTo(0, grid.on_plane);
   return grid;
 }
 

@@ -13,6 +13,7 @@ struct PlaneGrid {
   Eigen::Isometry3d T_table_camera = Eigen::Isometry3d::Identity();
   Eigen::Vector2d origin = Eigen::Vector2d::Zero();
   double cell_m = 0.02;
+  int rows = 0, columns = 0;
   cv::Mat_<uchar> on_plane;      ///< 255 = a sample lies on the plane here
   cv::Mat_<uchar> seen_through;  ///< 255 = samples lie behind the plane on rays that cross it here: certainly no table
   cv::Mat_<uchar> covered;       ///< 255 = a sample lies over the plane here, or hides it
@@ -22,13 +23,14 @@ struct PlaneGrid {
   /// Cell of a point of the plane; false outside the grid.
   bool cell(double x, double y, cv::Point& result) const {
     const double column = (x - origin.x()) / cell_m, row = (y - origin.y()) / cell_m;
-    if (!(column >= 0 && row >= 0 && column < on_plane.cols && row < on_plane.rows)) return false;
+    if (!(column >= 0 && row >= 0 && column < columns && row < rows)) return false;
     result = {static_cast<int>(column), static_cast<int>(row)};
     return true;
   }
 };
 
-PlaneGrid makePlaneGrid(const SurfaceSamples& samples, const Plane& plane, double cell_m);
+/// The same for any number of threads.
+PlaneGrid makePlaneGrid(const SurfaceSamples& samples, const Plane& plane, double cell_m, int threads = 1);
 
 /// Values of the cells of an extent.
 constexpr uchar kCore = 255;    ///< table that was seen, and what it surrounds

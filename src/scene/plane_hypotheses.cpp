@@ -25,7 +25,7 @@ PlaneTest planeTest(const Plane& plane, float tolerances) {
   return {fast.normal.x(), fast.normal.y(), fast.normal.z(), fast.d, tolerances, kMinNormalCosine};
 }
 
-bool refit(const SampleColumns& samples, float tolerances, std::vector<unsigned char>& fits, Plane& plane) {
+bool refit(const SampleColumns& samples, float tolerances, std::vector<uchar>& fits, Plane& plane) {
   fits.resize(samples.count);
   markFitting(samples, planeTest(plane, tolerances), fits.data());
   return PlaneFitter(sumFitting(samples, fits.data())).solve(plane);
@@ -37,7 +37,7 @@ struct Try {
   int count = 0;  ///< of the samples that fit; 0: no plane
 
   void settle(const SampleColumns& counted) {
-    std::vector<unsigned char> fits;
+    std::vector<uchar> fits;
     if (refit(counted, kWideTolerances, fits, plane)) count = markFitting(counted, planeTest(plane, 1), fits.data());
   }
 };
@@ -59,7 +59,7 @@ bool searchPlane(const PlaneSamples& samples, std::mt19937& random, int threads,
       *std::max_element(tries.begin(), tries.end(), [](const Try& a, const Try& b) { return a.count < b.count; });
   if (most.count == 0) return false;
   best = most.plane;
-  std::vector<unsigned char> fits;
+  std::vector<uchar> fits;
   for (int i = 0; i < kRefits; ++i) {
     if (!refit(samples.columns(), 1, fits, best)) return false;
   }
@@ -67,13 +67,14 @@ bool searchPlane(const PlaneSamples& samples, std::mt19937& random, int threads,
 }
 
 /// Whether the inliers of one plane also lie on the other.
-bool samePlane(const Plane& a, const Plane& b, const PlaneSamples& inliers_of_b) {
+bool samePlane(const Plane& a, const Plane& b, const PlaneSamples& samples, const std::vector<uchar>& on_b) {
   if (a.normal.dot(b.normal) < kSamePlaneCosine) return false;
   const FastPlane fast(a);
   double distance = 0, tolerance = 0;
-  for (std::size_t i = 0; i < inliers_of_b.size(); ++i) {
-    distance += std::abs(fast.height(inliers_of_b.point(i)));
-    tolerance += inliers_of_b.tolerance_m(i);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!on_b[i]) continue;
+    distance += std::abs(fast.height(samples.point(i)));
+    tolerance += samples.tolerance_m(i);
   }
   return distance < 2 * tolerance;
 }
@@ -89,7 +90,7 @@ std::vector<Plane> findPlanes(const SurfaceSamples& all, int threads) {
   const std::size_t min_inliers = std::max<std::size_t>(10, static_cast<std::size_t>(kMinShare * left.size()));
 
   std::vector<Plane> planes;
-  std::vector<unsigned char> fits;
+  std::vector<uchar> fits;
   std::mt19937 random(1);
   for (int i = 0; i < kMaxPlanes && left.size() >= min_inliers; ++i) {
     Plane plane;
@@ -97,14 +98,10 @@ std::vector<Plane> findPlanes(const SurfaceSamples& all, int threads) {
     fits.resize(left.size());
     const std::size_t found = markFitting(left.columns(), planeTest(plane, 1), fits.data());
     if (found < min_inliers) break;
-    PlaneSamples inliers, others;
-    inliers.reserve(found);
-    others.reserve(left.size() - found);
-    for (std::size_t k = 0; k < left.size(); ++k) (fits[k] ? inliers : others).add(left, k);
-    const bool known =
-        std::any_of(planes.begin(), planes.end(), [&](const Plane& other) { return samePlane(other, plane, inliers); });
+    const bool known = std::any_of(planes.begin(), planes.end(),
+                                   [&](const Plane& other) { return samePlane(other, plane, left, fits); });
     if (!known) planes.push_back(plane);
-    left = std::move(others);
+    left.remove(fits, found);
   }
   return planes;
 }

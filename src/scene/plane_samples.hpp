@@ -21,6 +21,20 @@ class PlaneSamples {
   void add(const PlaneSamples& other, std::size_t i) {
     push(other.point(i), other.normal(i), other.tolerance_m_[i], other.weight_[i]);
   }
+  /// Removes the `count` samples where `which` is set; the others stay in their order.
+  void remove(const std::vector<uchar>& which, std::size_t count) {
+    const std::size_t left = size() - count;
+    const auto pack = [&](auto& column) {
+      // Always written, and over what is no longer needed: no branch that depends on the samples.
+      for (std::size_t i = 0, to = 0; to < left; ++i) {
+        column[to] = column[i];
+        to += which[i] == 0;
+      }
+      column.resize(left);
+    };
+    for (auto* column : {&x_, &y_, &z_, &normal_x_, &normal_y_, &normal_z_, &tolerance_m_}) pack(*column);
+    pack(weight_);
+  }
   std::size_t size() const { return x_.size(); }
   Eigen::Vector3f point(std::size_t i) const { return {x_[i], y_[i], z_[i]}; }
   Eigen::Vector3f normal(std::size_t i) const { return {normal_x_[i], normal_y_[i], normal_z_[i]}; }

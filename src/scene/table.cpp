@@ -124,10 +124,10 @@ Result<Table> findTable(const Frame& frame, const Normals& normals, const TableC
   Result<Plane> chosen =
       config.given ? givenPlane(config) : choosePlane(samples, frame.camera.focal(), planes, config, threads);
   if (!chosen.ok()) return Result<Table>::error(chosen.status);
-  const Plane plane = config.given ? chosen.value : settleOnLowestLayer(samples, chosen.value);
+  const Plane plane = config.given ? chosen.value : settleOnLowestLayer(samples, chosen.value, threads);
 
   const SurfaceSamples dense = sampleSurface(frame, normals, prior, kExtentSampleCount, threads);
-  const PlaneGrid grid = makePlaneGrid(dense, plane, kExtentCellM);
+  const PlaneGrid grid = makePlaneGrid(dense, plane, kExtentCellM, threads);
   if (grid.empty()) {
     return Result<Table>::error(StatusCode::kNoTable, config.given
                                                           ? "no point of the view lies on the given table plane"
@@ -143,7 +143,7 @@ Result<Table> findTable(const Frame& frame, const Normals& normals, const TableC
   table.T_table_camera = grid.T_table_camera;
   table.extent = {extent, grid.origin, grid.cell_m};
   table.hull = outline(table.extent);
-  table.noise = measureNoise(dense, plane, grid, extent);
+  table.noise = measureNoise(dense, plane, grid, extent, threads);
   table.other_planes = otherPlanes(planes, plane);
   return {{}, table};
 }

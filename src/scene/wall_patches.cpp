@@ -83,20 +83,36 @@ std::vector<int> countInside(const MaskParts& parts, const std::vector<Patch>& p
   return inside;
 }
 
+/// What of the mask lies on a plane.
+struct PlanePatches {
+  MaskParts parts;
+  std::vector<Patch> patches;  ///< by part
+  std::vector<int> inside;
+};
+
 }  // namespace
 
 void removeWalls(const Frame& frame, const Normals& normals, const Table& table, const HeightMap& map,
                  const ObjectPointsConfig& config, cv::Mat_<uchar>& mask, int threads) {
   CV_Assert(table.other_planes.size() <= 8);  // findTable() looks at no more
   const cv::Mat_<uchar> planes = planesOf(frame, normals, table, mask, threads);
-  for (std::size_t k = 0; k < table.other_planes.size(); ++k) {
-    const MaskParts parts = findParts(planes & mask & uchar(1 << k), Neighbours::kEight);
-    const std::vector<Patch> patches = measure(parts, frame, map, config.max_height_m);
-    const std::vector<int> inside = countInside(parts, patches, frame, table);
-    for (const Run& run : parts.runs) {
-      const Patch& patch = patches[run.part];
-      if (!patch.mayBeWall() || !(inside[run.part] < kMaxInsideShare * patch.pixels)) continue;
+  const auto findWalls = [&](int k) {
+    PlanePatches found{findParts(planes & mask & uchar(1 << k), Neighbours::kEight), {}, {}};
+    found.patches = measure(found.parts, frame, map, config.max_height_m);
+    found.inside = countInside(found.parts, found.patches, frame, table);
+    return found;
+  };
+  const int count = static_cast<int>(table.other_planes.size());
+  std::vector<PlanePatches> of_plane(count);
+  parallelFor(count, threads, [&](int k) { of_plane[k] = findWalls(k); });
+  bool changed = false;  // a pixel may lie on several planes: what went with one is missing from the next
+  for (int k = 0; k < count; ++k) {
+    const PlanePatches found = changed ? findWalls(k) : std::move(of_plane[k]);
+    for (const Run& run : found.parts.runs) {
+      const Patch& patch = found.patches[run.part];
+      if (!patch.mayBeWall() || !(found.inside[run.part] < kMaxInsideShare * patch.pixels)) continue;
       std::fill(mask[run.row] + run.first, mask[run.row] + run.last, uchar(0));
+      changed = true;
     }
   }
 }

@@ -1,50 +1,109 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/segments/geodesic_assignment.hpp"
 
-#include <functional>
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <limits>
-#include <queue>
-#include <tuple>
 #include <vector>
 
 namespace objectness {
+namespace {
+
+/// How far a pixel is from a source, and from whose: in the order of the distance, then of the owner.
+using Way = std::uint64_t;
+constexpr Way kNone = std::numeric_limits<Way>::max();
+
+Way makeWay(float distance, int owner) {
+  std::uint32_t bits;
+  std::memcpy(&bits, &distance, 4);  // those of numbers from 0 up are in the order of the numbers
+  return Way{bits} << 32 | static_cast<std::uint32_t>(owner);
+}
+
+float distanceOf(Way way) {
+  const std::uint32_t bits = static_cast<std::uint32_t>(way >> 32);
+  float distance;
+  std::memcpy(&distance, &bits, 4);
+  return distance;
+}
+
+int ownerOf(Way way) { return static_cast<int>(way & 0xFFFFFFFF); }
+
+/// Pixels to go on from, by distance: shells of it, as a pixel's neighbours mostly lie beyond its own.
+class Shells {
+ public:
+  explicit Shells(double reach_m) : shells_(kCount), per_m_(reach_m > 0 ? kCount / reach_m : 0) {}
+
+  struct Entry {
+    Way way;
+    int pixel;
+  };
+  void add(Way way, int pixel) {
+    const int shell = static_cast<int>(std::min(distanceOf(way) * per_m_, kCount - 1.0));
+    shells_[shell].push_back({way, pixel});
+  }
+  /// Calls visit(entry) for all, those that it adds as well.
+  template <class Visit>
+  void drain(Visit&& visit) {
+    for (auto& shell : shells_) {
+      for (std::size_t k = 0; k < shell.size(); ++k) {
+        const Entry entry = shell[k];  // the shell may grow
+        visit(entry);
+      }
+    }
+  }
+
+ private:
+  static constexpr int kCount = 64;
+
+  std::vector<std::vector<Entry>> shells_;
+  double per_m_;
+};
+
+}  // namespace
 
 void assignGeodesic(const Frame& frame, const cv::Mat_<uchar>& open, const GeodesicLimits& limits,
                     cv::Mat_<int>& owner) {
   const int width = frame.width(), height = frame.height();
-  using Entry = std::tuple<float, int, int>;  // distance, owner, pixel: the order makes ties independent of the queue
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-  std::vector<float> distance(frame.size(), std::numeric_limits<float>::infinity());
+  int* owners = owner[0];
+  std::vector<Way> ways(frame.size(), kNone);
+  Shells shells(limits.max_reach_m);
 
-  const auto visitNeighbours = [&](int pixel, float so_far, int from) {
-    const int u = pixel % width, v = pixel / width;
-    for (int dv = -1; dv <= 1; ++dv) {
-      for (int du = -1; du <= 1; ++du) {
-        const int nu = u + du, nv = v + dv;
-        if ((du == 0 && dv == 0) || nu < 0 || nv < 0 || nu >= width || nv >= height) continue;
-        if (!open(nv, nu) || owner(nv, nu) >= 0) continue;
-        const int neighbour = nv * width + nu;
-        const float step = (frame.points[neighbour] - frame.points[pixel]).norm();
-        const float reach = so_far + step;
-        if (!(step <= limits.max_step_m) || reach > limits.max_reach_m || reach >= distance[neighbour]) continue;
-        distance[neighbour] = reach;
-        queue.emplace(reach, from, neighbour);
+  const auto go = [&](int from, int to, float so_far, int whose) {
+    const float step = (frame.points[to] - frame.points[from]).norm();
+    const float reach = so_far + step;
+    if (!(step <= limits.max_step_m) || reach > limits.max_reach_m) return;
+    const Way way = makeWay(reach, whose);
+    if (way >= ways[to]) return;
+    ways[to] = way;
+    shells.add(way, to);
+  };
+  const auto forNeighbours = [&](int u, int v, auto&& visit) {
+    for (int y = std::max(0, v - 1); y <= std::min(height - 1, v + 1); ++y) {
+      for (int x = std::max(0, u - 1); x <= std::min(width - 1, u + 1); ++x) {
+        if (x != u || y != v) visit(y * width + x);
       }
     }
   };
 
   for (int v = 0; v < height; ++v) {
     for (int u = 0; u < width; ++u) {
-      if (owner(v, u) >= 0) visitNeighbours(v * width + u, 0, owner(v, u));
+      const int pixel = v * width + u;
+      if (owners[pixel] >= 0 || !open.data[pixel]) continue;
+      forNeighbours(u, v, [&](int source) {
+        if (owners[source] >= 0) go(source, pixel, 0, owners[source]);
+      });
     }
   }
-  while (!queue.empty()) {
-    const auto [so_far, from, pixel] = queue.top();
-    queue.pop();
-    int& mine = owner(pixel / width, pixel % width);
-    if (mine >= 0) continue;
-    mine = from;
-    visitNeighbours(pixel, so_far, from);
+  // Whatever the order, each pixel ends with its shortest way; by shells, few ways are gone that are not.
+  shells.drain([&](const Shells::Entry& entry) {
+    if (entry.way != ways[entry.pixel]) return;  // a shorter one was found
+    forNeighbours(entry.pixel % width, entry.pixel / width, [&](int next) {
+      if (owners[next] < 0 && open.data[next]) go(entry.pixel, next, distanceOf(entry.way), ownerOf(entry.way));
+    });
+  });
+  for (int i = 0; i < frame.size(); ++i) {
+    if (ways[i] != kNone) owners[i] = ownerOf(ways[i]);
   }
 }
 

@@ -59,7 +59,7 @@ TEST_F(Features, EveryOutputIsAboutTheSameFrame) {
   ASSERT_TRUE(times);
   ASSERT_EQ(times->stages.size(), times->milliseconds.size());
   const std::set<std::string> stages(times->stages.begin(), times->stages.end());
-  for (const char* stage : {"conversion", "normals", "table", "superpixels", "selection", "tracking", "total"}) {
+  for (const char* stage : {"conversion", "normals", "table", "surface_cues", "selection", "tracking", "total"}) {
     EXPECT_EQ(stages.count(stage), 1u) << stage;
   }
   const auto edge_cloud = edges.wait(cloud.header.stamp), superpixel_cloud = superpixels.wait(cloud.header.stamp);

@@ -20,4 +20,10 @@ void parallelFor(int count, int threads, Work&& work) {
   }
 }
 
+/// Calls both, at once when there are threads for it.
+template <class First, class Second>
+void inParallel(int threads, First&& first, Second&& second) {
+  parallelFor(2, threads, [&](int i) { i == 0 ? first() : second(); });
+}
+
 }  // namespace objectness

@@ -45,4 +45,9 @@ struct Pieces {
 Pieces findPieces(const Frame& frame, const Normals& normals, const ObjectPoints& object_points,
                   const Superpixels& superpixels, const PiecesConfig& config, int threads = 1);
 
+/// findPieces() in two steps. The first leaves the pieces without what describePieces() fills in: all but their number.
+Pieces labelPieces(const Frame& frame, const ObjectPoints& object_points, const Superpixels& superpixels,
+                   const PiecesConfig& config, int threads = 1);
+void describePieces(const Frame& frame, const Normals& normals, const Superpixels& superpixels, Pieces& pieces);
+
 }  // namespace objectness

@@ -7,7 +7,7 @@ namespace objectness {
 
 /// Median angle between the normals of the bare table and the table's own, degrees: what normals are worth in this
 /// frame. 0 when too little of the table is seen.
-double tableNormalError(const Frame& frame, const Normals& normals, const Table& table);
+double tableNormalError(const Frame& frame, const Normals& normals, const Table& table, int threads = 1);
 
 /// The normals anew, with the table's measured noise and a window that is wider by as much as their error exceeds
 /// config.max_error_deg: the error of a fitted normal falls about as its window grows. Cameras differ tenfold in what a

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "crease.hpp"
+#include "grown_pieces.hpp"
 #include "objectness_segmentation/cues/edges.hpp"
 #include "objectness_segmentation/cues/superpixels.hpp"
 
@@ -22,8 +23,7 @@ EdgeMap findEdges(const Frame& frame, const Normals& normals, const Table& table
 cv::Mat_<uchar> smoothPixels(const Frame& frame, const Normals& normals, const ObjectPoints& object_points,
                              const BendMap& bends, const SuperpixelsConfig& config, int threads);
 
-/// findSuperpixels() from the smooth pixels on.
-Superpixels growSuperpixels(const Frame& frame, const Normals& normals, const DepthNoise& noise,
-                            const cv::Mat_<uchar>& smooth, const SuperpixelsConfig& config, int threads);
+/// findSuperpixels() from the smooth surface on.
+Superpixels growSuperpixels(const Frame& frame, const SmoothSurface& surface, const SuperpixelsConfig& config);
 
 }  // namespace objectness

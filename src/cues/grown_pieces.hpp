@@ -5,11 +5,22 @@
 
 namespace objectness {
 
-/// Grows pieces of surface over the pixels where `smooth` is set, from their middles outwards (a watershed of the
-/// distance to the nearest cut). Where two pieces meet, they become one unless the place is narrow beside both of
-/// them: a cut that noise has left open somewhere still holds. Neighbours also need like depths and normals.
+/// Smooth pixels, and which of their neighbours are on the same surface: near in depth and alike in normal.
+struct SmoothSurface {
+  /// To neighbours to the right and in the row below; the others have a bit to this pixel.
+  enum Way : uchar { kRight = 1, kLowerLeft = 2, kDown = 4, kLowerRight = 8 };
+
+  cv::Mat_<uchar> smooth;  ///< H x W, 255 = yes
+  cv::Mat_<uchar> ways;    ///< H x W, bits of Way; 0 where not smooth
+};
+
+SmoothSurface connectSmooth(const Frame& frame, const Normals& normals, const DepthNoise& noise,
+                            const cv::Mat_<uchar>& smooth, const SuperpixelsConfig& config, int threads = 1);
+
+/// Grows pieces of surface, from their middles outwards (a watershed of the distance to the nearest pixel that is not
+/// smooth). Where two pieces meet, they become one unless the place is narrow beside both of them: a cut that noise has
+/// left open somewhere still holds.
 /// Returns for every pixel the index of the first pixel of its piece; -1 where no piece is or it is too small.
-cv::Mat_<int> growPieces(const Frame& frame, const Normals& normals, const DepthNoise& noise,
-                         const cv::Mat_<uchar>& smooth, const SuperpixelsConfig& config, int threads = 1);
+cv::Mat_<int> growPieces(const Frame& frame, const SmoothSurface& surface, const SuperpixelsConfig& config);
 
 }  // namespace objectness

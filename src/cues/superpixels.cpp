@@ -72,9 +72,8 @@ SuperpixelsConfig superpixelsForBoxes(SuperpixelsConfig config) {
   return config;
 }
 
-Superpixels growSuperpixels(const Frame& frame, const Normals& normals, const DepthNoise& noise,
-                            const cv::Mat_<uchar>& smooth, const SuperpixelsConfig& config, int threads) {
-  Superpixels superpixels{growPieces(frame, normals, noise, smooth, config, threads), 0};
+Superpixels growSuperpixels(const Frame& frame, const SmoothSurface& surface, const SuperpixelsConfig& config) {
+  Superpixels superpixels{growPieces(frame, surface, config), 0};
   for (int i = 0; i < frame.size(); ++i) {
     int& label = superpixels.label(i);
     if (label < 0) {
@@ -90,7 +89,7 @@ Superpixels findSuperpixels(const Frame& frame, const Normals& normals, const Ta
                             const ObjectPoints& object_points, const SuperpixelsConfig& config, int threads) {
   const BendMap bends = findBends(frame, normals, object_points.mask, threads);
   const cv::Mat_<uchar> smooth = smoothPixels(frame, normals, object_points, bends, config, threads);
-  return growSuperpixels(frame, normals, table.noise, smooth, config, threads);
+  return growSuperpixels(frame, connectSmooth(frame, normals, table.noise, smooth, config, threads), config);
 }
 
 }  // namespace objectness

@@ -13,10 +13,11 @@ SurfaceCues findSurfaceCues(const Frame& frame, const Normals& normals, const Ta
   const EdgeRegion region = edgeRegion(normals, object_points);
   const BendMap bends = findBends(frame, normals, region.around, threads);
   const cv::Mat_<uchar> smooth = smoothPixels(frame, normals, object_points, bends, superpixels, threads);
+  const SmoothSurface surface = connectSmooth(frame, normals, table.noise, smooth, superpixels, threads);
   inParallel(
       threads,
       [&] { cues.edges = findEdges(frame, normals, table, object_points, region, bends, edges, threads); },
-      [&] { cues.superpixels = growSuperpixels(frame, normals, table.noise, smooth, superpixels, threads); });
+      [&] { cues.superpixels = growSuperpixels(frame, surface, superpixels); });
   return cues;
 }
 

@@ -60,9 +60,10 @@ std::vector<Segment> cutGroups(const Pieces& pieces, const std::vector<GroupHypo
       if (taken[piece]) continue;
       taken[piece] = 1;
       const std::vector<int>& pixels = pieces.pieces[piece].pixels;
+      const std::size_t before = segment.pixels.size();
       segment.pixels.insert(segment.pixels.end(), pixels.begin(), pixels.end());
+      std::inplace_merge(segment.pixels.begin(), segment.pixels.begin() + before, segment.pixels.end());
     }
-    std::sort(segment.pixels.begin(), segment.pixels.end());
     if (static_cast<int>(segment.pixels.size()) >= config.min_pixels) segments.push_back(std::move(segment));
   }
   return segments;

@@ -41,8 +41,15 @@ ObjectPoints findObjectPoints(const Frame& frame, const Normals& normals, const 
   removeWalls(frame, normals, table, map, config, mask, threads);
   const Things things = findThings(frame, table, map, config, mask, threads);
   mask = things.label > 0;
-  if (config.hollow_floors) addHollowFloors(frame, table, map, things, mask);
-  return {map.height_m, mask, tableSurface(normals, table, map, mask, threads)};
+  cv::Mat_<uchar> with_floors = mask.clone(), surface;
+  inParallel(
+      threads,
+      [&] {
+        if (config.hollow_floors) addHollowFloors(frame, table, map, things, with_floors);
+      },
+      [&] { surface = tableSurface(normals, table, map, mask, threads); });
+  surface.setTo(0, with_floors);
+  return {map.height_m, with_floors, surface};
 }
 
 }  // namespace objectness

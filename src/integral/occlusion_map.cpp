@@ -45,14 +45,16 @@ void OcclusionMap::copyDepth(const Frame& frame, bool unknown_is_occluded, int t
   depth_.resize(static_cast<std::size_t>(width) * height);
   block_low_.assign(static_cast<std::size_t>(blocks_u) * blocks_v_, kInfinity);
   block_high_.assign(block_low_.size(), -kInfinity);
-  parallelFor(blocks_v_, threads, [&](int block_v) {
-    const int last_v = std::min(height, (block_v + 1) * kBlockPx);
-    for (int v = block_v * kBlockPx; v < last_v; ++v) {
-      for (int u = 0; u < width; ++u) {
+  // By columns, which are what is written side by side: threads do not write to the same cache lines.
+  constexpr int kColumns = 8 * kBlockPx;
+  parallelFor((width + kColumns - 1) / kColumns, threads, [&](int band) {
+    const int last_u = std::min(width, (band + 1) * kColumns);
+    for (int v = 0; v < height; ++v) {
+      for (int u = band * kColumns; u < last_u; ++u) {
         const float measured = frame.points[static_cast<std::size_t>(v) * width + u].z();
         const float depth = std::isnan(measured) ? missing : measured;
         depth_[static_cast<std::size_t>(u) * height + v] = depth;
-        const std::size_t block = static_cast<std::size_t>(u / kBlockPx) * blocks_v_ + block_v;
+        const std::size_t block = static_cast<std::size_t>(u / kBlockPx) * blocks_v_ + v / kBlockPx;
         block_low_[block] = std::min(block_low_[block], depth);
         block_high_[block] = std::max(block_high_[block], depth);
       }

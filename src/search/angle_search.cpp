@@ -126,9 +126,13 @@ SearchOutcome searchAllAngles(const Frame& frame, const Table& table, const CueP
   // steps.
   const int margin = std::max({sampling.corner_step, sampling.size_step_xy, sampling.min_size});
   VoxelMarker marker(points, settings.volume);
-  for (const double angle : sampledAngles(settings.search)) {
-    outcome.grids.push_back(marker.gridAt(angle, margin, sampling.min_size, sampling.max_size));
-    outcome.status = checkSize(outcome.grids.back());
+  const std::vector<double> angles = sampledAngles(settings.search);
+  outcome.grids.resize(angles.size());
+  parallelFor(static_cast<int>(angles.size()), settings.threads, [&](int i) {
+    outcome.grids[i] = marker.gridAt(angles[i], margin, sampling.min_size, sampling.max_size);
+  });
+  for (const Grid& grid : outcome.grids) {
+    outcome.status = checkSize(grid);
     if (!outcome.status.ok()) return outcome;
   }
   if (points.points.empty()) return outcome;

@@ -23,7 +23,7 @@ void preferUp(const Eigen::Vector3d& up, objectness::TableConfig& table) {
 ProcessedFrame FrameProcessor::process(const InputMessages& messages, objectness::Config config,
                                        const std::optional<objectness::LearnedObjectness>& model,
                                        const std::atomic<bool>& stop) {
-  if (!std::exchange(keeps_memory_, true)) objectness::keepFrameMemory();
+  if (std::exchange(keep_memory_, false)) objectness::keepFrameMemory();
   ProcessedFrame processed;
   const auto start = std::chrono::steady_clock::now();
   const CameraPose pose = poses_.at(messages.header(), stop);

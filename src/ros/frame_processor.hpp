@@ -20,7 +20,8 @@ struct ProcessedFrame {
 /// the frames before. For one thread.
 class FrameProcessor {
  public:
-  FrameProcessor(const NodeSettings& settings, const ros::NodeHandle& nh) : poses_(settings, nh) {}
+  FrameProcessor(const NodeSettings& settings, const ros::NodeHandle& nh)
+      : poses_(settings, nh), keep_memory_(settings.keep_memory) {}
 
   /// model: none for the built-in one. Does not throw for what is wrong with the messages.
   ProcessedFrame process(const InputMessages& messages, objectness::Config config,
@@ -32,7 +33,7 @@ class FrameProcessor {
  private:
   CameraPoses poses_;
   objectness::Tracker tracker_;
-  bool keeps_memory_ = false;
+  bool keep_memory_;  ///< has still to be said
 };
 
 }  // namespace objectness_segmentation

@@ -70,6 +70,7 @@ ReadSettings readSettings(const ros::NodeHandle& nh) {
   reader.read("approximate_sync", settings.input.approximate, "true or false");
   reader.read("lazy", settings.lazy, "true or false");
   reader.read("latch", settings.latch, "true or false");
+  reader.read("keep_memory", settings.keep_memory, "true or false");
   reader.read("model", settings.model, "the path of a file");
   reader.frame("target_frame", settings.target_frame);
   reader.frame("up_frame", settings.up_frame);
@@ -85,6 +86,7 @@ const std::vector<std::string>& settingNames() {
                                                  "approximate_sync",
                                                  "lazy",
                                                  "latch",
+                                                 "keep_memory",
                                                  "model",
                                                  "target_frame",
                                                  "up_frame",

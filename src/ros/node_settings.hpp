@@ -15,6 +15,7 @@ struct NodeSettings {
   InputSettings input;
   bool lazy = true;
   bool latch = false;
+  bool keep_memory = true;  ///< objectness::keepFrameMemory(): a setting of the whole process
   std::string model;
   std::string target_frame;          ///< of the outputs; empty: that of the input
   std::string up_frame;              ///< its z axis points against gravity; empty: not known

@@ -107,13 +107,14 @@ TEST(PlainNormals, JumpsAndWindowsAreTheSame) {
     const cv::Mat_<uchar> plain_clear = plain.clear();
     for (const int threads : {1, 3}) {
       const std::vector<unsigned char> jump = findDepthJumps(frame, config, {}, threads);
-      const cv::Mat_<uchar> clear = clearRadius(frame, jump, threads);
+      const cv::Mat_<uchar> clear = clearRadius(frame, jump, threads), short_sighted = clearRadius(frame, jump, threads, 6);
       for (int v = 0, i = 0; v < size.height; ++v) {
         for (int u = 0; u < size.width; ++u, ++i) {
           const int right = u + 1 < size.width && plain.apart(i, i + 1);
           const int down = v + 1 < size.height && plain.apart(i, i + size.width);
           ASSERT_EQ(jump[i], right + 2 * down) << u << ", " << v << " of " << size.width;
           ASSERT_EQ(clear(v, u), plain.radius(plain_clear, u, v)) << u << ", " << v << " of " << size.width;
+          ASSERT_EQ(short_sighted(v, u), std::min<int>(6, clear(v, u))) << u << ", " << v << " of " << size.width;
         }
       }
     }

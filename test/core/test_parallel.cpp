@@ -105,3 +105,29 @@ TEST(ThreadPool, AnExceptionLeavesThePoolUsable) {
     EXPECT_EQ(calls, 100);
   }
 }
+
+TEST(ParallelFor, DoesTwoThingsAtOnceOrOneAfterTheOther) {
+  for (const int threads : {1, 2, 4}) {
+    const ThreadPool pool(threads);
+    std::atomic<int> first{0}, second{0}, nested{0};
+    objectness::inParallel(
+        threads, [&] { first += 1, parallelFor(10, threads, [&](int) { ++nested; }); }, [&] { second += 10; });
+    EXPECT_EQ(first, 1);
+    EXPECT_EQ(second, 10);
+    EXPECT_EQ(nested, 10);
+    EXPECT_THROW(objectness::inParallel(threads, [] {}, [] { throw std::runtime_error("second"); }), std::runtime_error);
+  }
+}
+
+TEST(ThreadPool, LoopsThatFollowAtAnyTimeUseIt) {
+  // Shorter than a thread looks out, about as long, and longer: it sleeps, wakes, or has not slept.
+  const ThreadPool pool(3);
+  for (const int pause_us : {0, 20, 90, 100, 110, 150, 400}) {
+    for (int loop = 0; loop < 50; ++loop) {
+      std::vector<int> calls(loop % 7, 0);
+      parallelFor(static_cast<int>(calls.size()), 1 + loop % 4, [&](int i) { ++calls[i]; });
+      ASSERT_TRUE(std::all_of(calls.begin(), calls.end(), [](int count) { return count == 1; }));
+      std::this_thread::sleep_for(std::chrono::microseconds(pause_us));
+    }
+  }
+}

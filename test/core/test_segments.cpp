@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <random>
+#include <utility>
 
 #include "objectness_segmentation/segments/geodesic_assignment.hpp"
 #include "objectness_segmentation/segments/segments.hpp"
@@ -160,4 +164,49 @@ TEST(Geodesic, MissingPointsAreNotCrossed) {
   EXPECT_EQ(owner(0, 1), 0);
   EXPECT_EQ(owner(0, 2), -1);
   EXPECT_EQ(owner(0, 3), -1);
+}
+
+TEST(Geodesic, IsTheShortestWayAndTheLowerOwnerOfEqualOnes) {
+  std::mt19937 random(5);
+  const auto below = [&](int count) { return static_cast<int>(random() % count); };
+  constexpr GeodesicLimits kLimits{0.015, 0.045};
+  int assigned = 0, ties = 0;
+  for (int round = 0; round < 12; ++round) {
+    Frame frame = flatFrame(31, 23);
+    // Flat, so that many ways are equally long, or rough.
+    for (auto& point : frame.points) point.z() += round % 2 ? 0.0001f * below(60) : 0;
+    cv::Mat_<uchar> open(23, 31);
+    cv::Mat_<int> owner(23, 31, -1);
+    for (int i = 0; i < frame.size(); ++i) open(i) = below(8) ? 255 : 0;
+    for (int k = 0; k < 12; ++k) owner(below(frame.size())) = below(5);
+
+    // Every pixel looks at its neighbours until nothing gets better.
+    using Way = std::pair<float, int>;
+    const Way none{std::numeric_limits<float>::infinity(), 0};
+    std::vector<Way> best(frame.size(), none);
+    for (bool better = true; better;) {
+      better = false;
+      for (int i = 0; i < frame.size(); ++i) {
+        if (owner(i) >= 0 || !open(i)) continue;
+        for (int k = 0; k < frame.size(); ++k) {
+          const int du = std::abs(i % 31 - k % 31), dv = std::abs(i / 31 - k / 31);
+          if (std::max(du, dv) != 1 || (owner(k) < 0 && best[k] == none)) continue;
+          const float step = (frame.points[i] - frame.points[k]).norm();
+          const Way way = owner(k) >= 0 ? Way{0.f + step, owner(k)} : Way{best[k].first + step, best[k].second};
+          if (!(step <= kLimits.max_step_m) || way.first > kLimits.max_reach_m) continue;
+          ties += way.first == best[i].first && way.second != best[i].second;
+          if (way < best[i]) best[i] = way, better = true;
+        }
+      }
+    }
+    cv::Mat_<int> result = owner.clone();
+    assignGeodesic(frame, open, kLimits, result);
+    for (int i = 0; i < frame.size(); ++i) {
+      const int expected = owner(i) >= 0 ? owner(i) : best[i] == none ? -1 : best[i].second;
+      ASSERT_EQ(result(i), expected) << i << " of round " << round;
+      assigned += owner(i) < 0 && result(i) >= 0;
+    }
+  }
+  EXPECT_GT(assigned, 1500);
+  EXPECT_GT(ties, 30);
 }

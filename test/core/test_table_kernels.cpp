@@ -157,6 +157,52 @@ TEST(TableEvidence, WhatIsQuickToTellOfAPlaneIsABoundOfItsScore) {
   EXPECT_GT(far_below, 0) << "the rest of the evidence must count";
 }
 
+TEST(PlaneGrid, IsTheSameForAnyNumberOfThreads) {
+  const Frame frame = binView();
+  const SurfaceSamples samples = sampleSurface(frame, estimateNormals(frame, {}), DepthNoise(), 40000);
+  for (const Plane& plane : findPlanes(samples, 1)) {
+    const PlaneGrid grid = makePlaneGrid(samples, plane, 0.01);
+    ASSERT_FALSE(grid.empty());
+    EXPECT_EQ(grid.on_plane.size(), cv::Size(grid.columns, grid.rows));
+    EXPECT_EQ(cv::countNonZero(grid.on_plane & grid.seen_through), 0);
+    for (const int threads : {2, 7}) {
+      const PlaneGrid other = makePlaneGrid(samples, plane, 0.01, threads);
+      EXPECT_EQ(other.samples_on_plane, grid.samples_on_plane);
+      EXPECT_EQ(other.origin, grid.origin);
+      EXPECT_TRUE(samePixels(other.on_plane, grid.on_plane)) << threads;
+      EXPECT_TRUE(samePixels(other.seen_through, grid.seen_through)) << threads;
+      EXPECT_TRUE(samePixels(other.covered, grid.covered)) << threads;
+    }
+  }
+}
+
+TEST(PlaneSamples, ThoseThatAreLeftStayInTheirOrder) {
+  const Frame frame = binView();
+  PlaneSamples samples;
+  for (const auto& sample : sampleSurface(frame, estimateNormals(frame, {}), DepthNoise(), 1000).samples) {
+    if (sample.valid() && sample.hasNormal()) samples.add(sample);
+  }
+  std::vector<uchar> which(samples.size());
+  PlaneSamples expected;
+  std::size_t removed = 0;
+  for (std::size_t i = 0; i < which.size(); ++i) {
+    which[i] = i % 3 == 0 || i > which.size() - 20;
+    if (which[i]) {
+      ++removed;
+    } else {
+      expected.add(samples, i);
+    }
+  }
+  samples.remove(which, removed);
+  ASSERT_EQ(samples.size(), expected.size());
+  ASSERT_GT(expected.size(), 100u);
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    ASSERT_EQ(samples.point(i), expected.point(i));
+    ASSERT_EQ(samples.normal(i), expected.normal(i));
+    ASSERT_EQ(samples.columns().weight[i], expected.columns().weight[i]);
+  }
+}
+
 TEST(HeightMap, IsThatOfEveryPointByItself) {
   Frame frame = binView();
   for (int i = 0; i < frame.size(); i += 13) frame.points[i].setConstant(std::numeric_limits<float>::quiet_NaN());

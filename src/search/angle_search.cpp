@@ -97,6 +97,9 @@ class AngleSearch {
 
 /// The boxes of all angles in one list, best first.
 void gather(std::vector<SearchResult>& results, std::size_t most_per_angle, SearchOutcome& outcome) {
+  std::size_t boxes = 0;
+  for (const SearchResult& result : results) boxes += std::min(result.boxes.size(), most_per_angle);
+  outcome.boxes.reserve(boxes);
   for (SearchResult& result : results) {
     outcome.sampled += result.sampled;
     outcome.scored += result.scored;
@@ -105,6 +108,7 @@ void gather(std::vector<SearchResult>& results, std::size_t most_per_angle, Sear
     if (outcome.unbounded.empty()) outcome.unbounded = result.unbounded;
     if (result.boxes.size() > most_per_angle) result.boxes.resize(most_per_angle);
     outcome.boxes.insert(outcome.boxes.end(), result.boxes.begin(), result.boxes.end());
+    std::vector<ScoredBox>().swap(result.boxes);  // over a million in a dense pile
   }
   sortBestFirst(outcome.boxes);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
@@ -24,6 +25,11 @@ struct View {
 
   bool sees(int axis) const { return std::abs(eye[axis]) > half[axis]; }
   float faceArea(int axis) const { return 4 * half[(axis + 1) % 3] * half[(axis + 2) % 3]; }
+  /// Whether any point of a ball may be in the box with `margin` around it.
+  bool reaches(const Ball& ball, const Eigen::Array3f& margin) const {
+    const Eigen::Array3f q = (T_box_table * ball.centre).array().abs();
+    return (q <= half.array() + margin + (ball.radius + Ball::kRounding_m)).all();
+  }
   bool onVisibleFace(const Eigen::Vector3f& q) const {
     for (int axis = 0; axis < 3; ++axis) {
       if (sees(axis) && std::abs(q[axis] - std::copysign(half[axis], eye[axis])) < kFace_m) return true;
@@ -40,6 +46,7 @@ void addPointCues(const GroupParts& parts, const Members& group, const View& vie
   int own = 0, others = 0, on_face = 0;
   float straddling = 0, held = 0;
   for (std::size_t k = 0; k < parts.points.size(); ++k) {
+    if (!view.reaches(parts.points_ball[k], Eigen::Array3f::Constant(kInside_m))) continue;
     float inside = 0;
     for (const Eigen::Vector3f& p : parts.points[k]) {
       const Eigen::Vector3f q = view.T_box_table * p;
@@ -58,8 +65,9 @@ void addPointCues(const GroupParts& parts, const Members& group, const View& vie
 
 void addEdgeCues(const GroupParts& parts, const View& view, float pixel_m, GroupCues& cues) {
   float inside = 0, near = 0, visible = 0;
-  for (const auto& edges : parts.edges) {
-    for (const Eigen::Vector3f& p : edges) {
+  for (std::size_t k = 0; k < parts.edges.size(); ++k) {
+    if (!view.reaches(parts.edges_ball[k], kRing_m)) continue;
+    for (const Eigen::Vector3f& p : parts.edges[k]) {
       const Eigen::Array3f q = (view.T_box_table * p).array().abs();
       inside += (q <= view.half.array() + kInside_m).all();
       near += (q <= view.half.array() + kRing_m).all();
@@ -70,6 +78,12 @@ void addEdgeCues(const GroupParts& parts, const View& view, float pixel_m, Group
   cues.outer_edges = near > 0 ? inside / near : 0;
 }
 
+/// Of a pixel's coordinate in the image, which is over -0.5: std::lround() in place.
+int nearest(float x) {
+  const int whole = static_cast<int>(x);
+  return whole + (x - static_cast<float>(whole) >= 0.5f ? 1 : 0);
+}
+
 }  // namespace
 
 void addBoxCues(const GroupParts& parts, const Members& group, const OrientedBox& box, GroupCues& cues) {
@@ -78,11 +92,11 @@ void addBoxCues(const GroupParts& parts, const Members& group, const OrientedBox
 
   float area = 0, low = 1e9f, high = -1e9f;
   std::size_t pixels = 0;
-  std::vector<cv::Point> outline, hull;
+  std::vector<cv::Point> hulls, hull;
   for (const int k : group.list) {
     area += parts.evidence.pieces.pieces[k].area_m2;
     pixels += parts.evidence.pieces.pieces[k].pixels.size();
-    outline.insert(outline.end(), parts.outline[k].begin(), parts.outline[k].end());
+    hulls.insert(hulls.end(), parts.hull[k].begin(), parts.hull[k].end());
     for (const Eigen::Vector3f& p : parts.points[k]) low = std::min(low, p.z()), high = std::max(high, p.z());
   }
   addEdgeCues(parts, view, std::sqrt(area / static_cast<float>(pixels)), cues);
@@ -91,7 +105,7 @@ void addBoxCues(const GroupParts& parts, const Members& group, const OrientedBox
   for (int axis = 0; axis < 3; ++axis)
     silhouette += view.sees(axis) ? view.faceArea(axis) * std::abs(towards[axis]) : 0;
   cues.box_fill = area / std::max(1e-6f, silhouette);
-  cv::convexHull(outline, hull);
+  cv::convexHull(hulls, hull);  // the hull of all outlines
   cues.hull_fill = static_cast<float>(pixels / std::max(1.0, cv::contourArea(hull)));
 
   Eigen::Vector3d size = box.size_m;
@@ -108,15 +122,19 @@ void addVolumeCues(const GroupParts& parts, const Members& group, const Oriented
   const Eigen::Vector3f cell = box.size_m.cast<float>() / kCells;
   const float fx = static_cast<float>(frame.camera.fx), fy = static_cast<float>(frame.camera.fy);
   const float cx = static_cast<float>(frame.camera.cx), cy = static_cast<float>(frame.camera.cy);
+  const float width = static_cast<float>(frame.width()), height = static_cast<float>(frame.height());
+  // What each axis adds to a cell's centre.
+  std::array<Eigen::Vector3f, kCells> along[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int i = 0; i < kCells; ++i) {
+      along[axis][i] = T_camera_box.linear().col(axis) * (cell[axis] * (i - 0.5f * (kCells - 1)));
+    }
+  }
   int free = 0, own = 0, other = 0, unseen = 0;
-  for (int i = 0; i < kCells * kCells * kCells; ++i) {
-    const Eigen::Vector3f index(i % kCells, i / kCells % kCells, i / (kCells * kCells));
-    const Eigen::Vector3f p =
-        T_camera_box * cell.cwiseProduct(index - Eigen::Vector3f::Constant(0.5f * (kCells - 1))).eval();
-    const int u = static_cast<int>(std::lround(fx * p.x() / p.z() + cx));
-    const int v = static_cast<int>(std::lround(fy * p.y() / p.z() + cy));
-    const bool in_view = p.z() > 0 && u >= 0 && v >= 0 && u < frame.width() && v < frame.height();
-    const int pixel = in_view ? v * frame.width() + u : 0;
+  const auto look = [&](const Eigen::Vector3f& p) {
+    const float x = fx * p.x() / p.z() + cx, y = fy * p.y() / p.z() + cy;
+    const bool in_view = p.z() > 0 && x > -0.5f && y > -0.5f && x < width - 0.5f && y < height - 0.5f;
+    const int pixel = in_view ? nearest(y) * frame.width() + nearest(x) : 0;
     const float z = in_view ? frame.points[pixel].z() : std::numeric_limits<float>::quiet_NaN();
     if (std::isnan(z)) {
       ++unseen;
@@ -129,6 +147,11 @@ void addVolumeCues(const GroupParts& parts, const Members& group, const Oriented
       } else {
         other += piece >= 0 && z < p.z() - kClear_m;
       }
+    }
+  };
+  for (const Eigen::Vector3f& on_z : along[2]) {
+    for (const Eigen::Vector3f& on_y : along[1]) {
+      for (const Eigen::Vector3f& on_x : along[0]) look((on_x + (on_y + on_z)) + T_camera_box.translation());
     }
   }
   constexpr float kAll = kCells * kCells * kCells;

@@ -2,6 +2,7 @@
 #include "objectness_segmentation/grouping/group_cues.hpp"
 
 #include <algorithm>
+#include <opencv2/imgproc.hpp>
 
 #include "group_parts.hpp"
 #include "objectness_segmentation/common/parallel.hpp"
@@ -50,7 +51,6 @@ GroupParts::GroupParts(const GroupEvidence& given) : evidence(given) {
   eye = T_table_camera.translation();
   points.resize(pieces.size());
   edges.resize(pieces.size());
-  outline.resize(pieces.size());
   std::size_t edge = 0;
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     for (std::size_t i = 0; i < pieces[k].pixels.size(); ++i) {
@@ -62,10 +62,15 @@ GroupParts::GroupParts(const GroupEvidence& given) : evidence(given) {
       if (is_edge) edges[k].push_back(p);
     }
   }
+  for (const auto& members : points) points_ball.push_back(ballAround(members));
+  for (const auto& members : edges) edges_ball.push_back(ballAround(members));
   const auto outlines = outlinePixels(evidence.pieces, kOutlinePixels);
   const int width = evidence.frame.width();
+  hull.resize(pieces.size());
   for (std::size_t k = 0; k < pieces.size(); ++k) {
-    for (const int pixel : outlines[k]) outline[k].emplace_back(pixel % width, pixel / width);
+    std::vector<cv::Point> outline;
+    for (const int pixel : outlines[k]) outline.emplace_back(pixel % width, pixel / width);
+    if (!outline.empty()) cv::convexHull(outline, hull[k]);
   }
 }
 

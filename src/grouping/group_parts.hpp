@@ -3,6 +3,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "ball.hpp"
 #include "objectness_segmentation/grouping/group_cues.hpp"
 
 namespace objectness {
@@ -14,7 +15,8 @@ struct GroupParts {
   const GroupEvidence& evidence;
   // Per piece; points in the table frame, a sample of all.
   std::vector<std::vector<Eigen::Vector3f>> points, edges;
-  std::vector<std::vector<cv::Point>> outline;  ///< pixels
+  std::vector<Ball> points_ball, edges_ball;  ///< around them
+  std::vector<std::vector<cv::Point>> hull;   ///< convex, of the outline; pixels
   float edge_stride = 1;                        ///< pixels of edges that a sampled one stands for
   Eigen::Isometry3f T_camera_table = Eigen::Isometry3f::Identity();
   Eigen::Vector3f eye = Eigen::Vector3f::Zero();  ///< the camera, table frame

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/grouping/links.hpp"
 
+#include "ball.hpp"
 #include "objectness_segmentation/common/parallel.hpp"
 #include "objectness_segmentation/learning/cue_list.hpp"
 
@@ -9,6 +10,16 @@ namespace {
 
 constexpr int kOutlinePixels = 64;  // of a piece: gaps are wide, their cues are shares
 
+std::vector<Ball> ballsAround(const Frame& frame, const std::vector<std::vector<int>>& outlines) {
+  std::vector<Ball> balls;
+  for (const std::vector<int>& outline : outlines) {
+    std::vector<Eigen::Vector3f> points;
+    for (const int pixel : outline) points.push_back(frame.points[pixel]);
+    balls.push_back(ballAround(points));
+  }
+  return balls;
+}
+
 }  // namespace
 
 std::vector<PairEvidence> findPairEvidence(const Frame& frame, const Normals& normals, const Table& table,
@@ -16,13 +27,14 @@ std::vector<PairEvidence> findPairEvidence(const Frame& frame, const Normals& no
                                            const Pieces& pieces, const Borders& borders, const LinksConfig& config,
                                            int threads) {
   const std::vector<std::vector<int>> outlines = outlinePixels(pieces, kOutlinePixels);
+  const std::vector<Ball> balls = ballsAround(frame, outlines);
   const auto evidenceOf = [&](int first, int second) -> std::optional<PairEvidence> {
     const auto border = borders.pairs.find({first, second});
     if (border != borders.pairs.end() && !border->second.samples.empty()) {
       const ContactCues cues = findContactCues(frame, normals, table, superpixels, pieces, borders, first, second);
       return PairEvidence{first, second, config.contact_cues(cues)};
     }
-    if (!config.gaps) return std::nullopt;
+    if (!config.gaps || balls[first].distance(balls[second]) > config.max_gap_m) return std::nullopt;
     const auto gap = findGapCues(frame, table, object_points, pieces, outlines, first, second, config.max_gap_m);
     if (!gap) return std::nullopt;
     return PairEvidence{first, second, config.gap_cues(*gap)};

@@ -44,7 +44,7 @@ Pieces labelPieces(const Frame& frame, const ObjectPoints& object_points, const 
   Pieces pieces;
   pieces.label = superpixels.label - 1;
   pieces.pieces.resize(superpixels.count);
-  assignGeodesic(frame, object_points.mask, {config.max_step_m, config.max_reach_m}, pieces.label);
+  assignGeodesic(frame, object_points.mask, {config.max_step_m, config.max_reach_m}, pieces.label, threads);
   addRoughParts(frame, object_points, config, threads, pieces);
   return pieces;
 }

@@ -7,6 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "objectness_segmentation/common/parallel.hpp"
+
 namespace objectness {
 namespace {
 
@@ -60,17 +62,34 @@ class Shells {
   double per_m_;
 };
 
-}  // namespace
+/// No way of max_reach_m is longer than this many pixels. From a point to the ray of the next pixel it is at least
+/// z / (f |r|), r = (x / z, y / z, 1) of that ray.
+int longestWay_px(const Frame& frame, const cv::Mat_<uchar>& open, double max_reach_m) {
+  float nearest = std::numeric_limits<float>::infinity();
+  for (int i = 0; i < frame.size(); ++i) {
+    if (open.data[i]) nearest = std::min(nearest, frame.points[i].z());  // NaN: stays
+  }
+  if (!(nearest > 0)) return frame.size();
+  const PinholeCamera& camera = frame.camera;
+  double longest_ray = 1;
+  for (const double u : {0.0, camera.width - 1.0}) {
+    for (const double v : {0.0, camera.height - 1.0}) longest_ray = std::max(longest_ray, camera.ray(u, v).norm());
+  }
+  const double pixels = max_reach_m * std::max(camera.fx, camera.fy) * longest_ray / nearest;
+  return static_cast<int>(std::min(pixels, 1e6)) + 2;
+}
 
-void assignGeodesic(const Frame& frame, const cv::Mat_<uchar>& open, const GeodesicLimits& limits,
-                    cv::Mat_<int>& owner) {
-  const int width = frame.width(), height = frame.height();
-  int* owners = owner[0];
-  std::vector<Way> ways(frame.size(), kNone);
+/// The ways of the pixels in rows top..bottom-1, by index from the first of them.
+std::vector<Way> shortestWays(const Frame& frame, const cv::Mat_<uchar>& open, const GeodesicLimits& limits,
+                              const cv::Mat_<int>& owner, int top, int bottom) {
+  const int width = frame.width(), height = bottom - top;
+  const Eigen::Vector3f* points = frame.points.data() + std::size_t(top) * width;
+  const uchar* opens = open[top];
+  const int* owners = owner[top];
+  std::vector<Way> ways(std::size_t(height) * width, kNone);
   Shells shells(limits.max_reach_m);
-
   const auto go = [&](int from, int to, float so_far, int whose) {
-    const float step = (frame.points[to] - frame.points[from]).norm();
+    const float step = (points[to] - points[from]).norm();
     const float reach = so_far + step;
     if (!(step <= limits.max_step_m) || reach > limits.max_reach_m) return;
     const Way way = makeWay(reach, whose);
@@ -89,7 +108,7 @@ void assignGeodesic(const Frame& frame, const cv::Mat_<uchar>& open, const Geode
   for (int v = 0; v < height; ++v) {
     for (int u = 0; u < width; ++u) {
       const int pixel = v * width + u;
-      if (owners[pixel] >= 0 || !open.data[pixel]) continue;
+      if (owners[pixel] >= 0 || !opens[pixel]) continue;
       forNeighbours(u, v, [&](int source) {
         if (owners[source] >= 0) go(source, pixel, 0, owners[source]);
       });
@@ -99,12 +118,33 @@ void assignGeodesic(const Frame& frame, const cv::Mat_<uchar>& open, const Geode
   shells.drain([&](const Shells::Entry& entry) {
     if (entry.way != ways[entry.pixel]) return;  // a shorter one was found
     forNeighbours(entry.pixel % width, entry.pixel / width, [&](int next) {
-      if (owners[next] < 0 && open.data[next]) go(entry.pixel, next, distanceOf(entry.way), ownerOf(entry.way));
+      if (owners[next] < 0 && opens[next]) go(entry.pixel, next, distanceOf(entry.way), ownerOf(entry.way));
     });
   });
-  for (int i = 0; i < frame.size(); ++i) {
-    if (ways[i] != kNone) owners[i] = ownerOf(ways[i]);
-  }
+  return ways;
+}
+
+}  // namespace
+
+void assignGeodesic(const Frame& frame, const cv::Mat_<uchar>& open, const GeodesicLimits& limits, cv::Mat_<int>& owner,
+                    int threads) {
+  const int width = frame.width(), height = frame.height();
+  // A band sees as far beyond its rows as any way can lead.
+  const int margin = threads == 1 ? height : longestWay_px(frame, open, limits.max_reach_m);
+  const int bands = std::clamp(height / (2 * margin), 1, ThreadPool::resolve(threads));
+  std::vector<std::vector<Way>> ways(bands);
+  const auto firstRow = [&](int band) { return height * band / bands; };
+  const auto topRow = [&](int band) { return bands == 1 ? 0 : std::max(0, firstRow(band) - margin); };
+  parallelFor(bands, threads, [&](int band) {
+    const int bottom = std::min(height, firstRow(band + 1) + margin);
+    ways[band] = shortestWays(frame, open, limits, owner, topRow(band), bottom);
+  });
+  parallelFor(bands, threads, [&](int band) {
+    const Way* way = ways[band].data() - std::ptrdiff_t(topRow(band)) * width;
+    for (int i = firstRow(band) * width; i < firstRow(band + 1) * width; ++i) {
+      if (way[i] != kNone) owner[0][i] = ownerOf(way[i]);
+    }
+  });
 }
 
 }  // namespace objectness

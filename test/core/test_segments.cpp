@@ -7,6 +7,7 @@
 #include <random>
 #include <utility>
 
+#include "fixtures/random_frame.hpp"
 #include "objectness_segmentation/segments/geodesic_assignment.hpp"
 #include "objectness_segmentation/segments/segments.hpp"
 
@@ -209,4 +210,23 @@ TEST(Geodesic, IsTheShortestWayAndTheLowerOwnerOfEqualOnes) {
   }
   EXPECT_GT(assigned, 1500);
   EXPECT_GT(ties, 30);
+}
+
+TEST(Geodesic, IsTheSameForAnyNumberOfThreads) {
+  std::mt19937 random(7);
+  const Frame frame = objectness_test::randomFrame(160, 400, 3);
+  cv::Mat_<uchar> open(400, 160);
+  cv::Mat_<int> owner(400, 160, -1);
+  for (int i = 0; i < frame.size(); ++i) open(i) = random() % 10 ? 255 : 0;
+  for (int k = 0; k < 60; ++k) owner(random() % frame.size()) = k;
+  const cv::Mat_<int> given = owner.clone();
+  assignGeodesic(frame, open, {0.03, 0.08}, owner);
+  int assigned = 0;
+  for (int i = 0; i < frame.size(); ++i) assigned += given(i) < 0 && owner(i) >= 0;
+  EXPECT_GT(assigned, 3000);
+  for (const int threads : {2, 3, 16}) {
+    cv::Mat_<int> other = given.clone();
+    assignGeodesic(frame, open, {0.03, 0.08}, other, threads);
+    EXPECT_EQ(cv::countNonZero(other != owner), 0) << threads;
+  }
 }

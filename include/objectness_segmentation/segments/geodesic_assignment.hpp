@@ -14,7 +14,8 @@ struct GeodesicLimits {
 /// Gives each pixel that is `open` and has no owner yet (owner < 0) the owner it is nearest to along the surface:
 /// shortest paths over 8 neighbours through open pixels, a step as long as the 3D distance. Ties go to the lower owner.
 /// owner: H x W, changed in place; open: H x W, non-zero = may be walked on and assigned.
-void assignGeodesic(const Frame& frame, const cv::Mat_<uchar>& open, const GeodesicLimits& limits,
-                    cv::Mat_<int>& owner);
+/// The same for any number of threads.
+void assignGeodesic(const Frame& frame, const cv::Mat_<uchar>& open, const GeodesicLimits& limits, cv::Mat_<int>& owner,
+                    int threads = 1);
 
 }  // namespace objectness

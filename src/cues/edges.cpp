@@ -106,9 +106,9 @@ EdgeRegion edgeRegion(const Normals& normals, const ObjectPoints& object_points)
 
 EdgeMap findEdges(const Frame& frame, const Normals& normals, const Table& table, const ObjectPoints& object_points,
                   const EdgeRegion& region, const BendMap& bends, const EdgesConfig& config, int threads) {
-  const cv::Mat_<uchar> found =
-      config.pcl ? findPclEdges(frame, normals)
-                 : findMetricEdges(frame, normals, table, object_points, bends, config, threads);
+  const cv::Mat_<uchar> found = config.pcl
+                                    ? findPclEdges(frame, normals)
+                                    : findMetricEdges(frame, normals, table, object_points, bends, config, threads);
   cv::Mat_<uchar> kinds = cleaned(found, frame, table, object_points, region.near);
   dropSpecks(frame, config.min_length_m, kinds);
   return {kinds};

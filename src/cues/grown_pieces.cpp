@@ -137,7 +137,7 @@ class Grower {
   const Frame& frame_;
   const SmoothSurface& surface_;
   const SuperpixelsConfig& config_;
-  const double min_area_;  ///< as Piece::area
+  const double min_area_;      ///< as Piece::area
   std::vector<int> tree_;      ///< by pixel
   std::vector<Piece> pieces_;  ///< valid for roots
 };

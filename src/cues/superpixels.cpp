@@ -48,8 +48,10 @@ cv::Mat_<uchar> smoothPixels(const Frame& frame, const Normals& normals, const O
   const auto tableStep = [&](int i) {
     return !steps ? 0.f : stepAt(frame, normals, object_points.on_table, i % frame.width(), i / frame.width());
   };
-  const double max_residual = config.max_residuals * tableMedian(frame, normals, object_points, kResidualStride, threads, residual);
-  const double max_step = config.max_steps * tableMedian(frame, normals, object_points, kStepStride, threads, tableStep);
+  const double max_residual =
+      config.max_residuals * tableMedian(frame, normals, object_points, kResidualStride, threads, residual);
+  const double max_step =
+      config.max_steps * tableMedian(frame, normals, object_points, kStepStride, threads, tableStep);
   const double max_concave = bendOf(config.concave_deg), max_convex = bendOf(config.convex_deg);
   cv::Mat_<uchar> smooth(frame.height(), frame.width());
   cv::Mat_<float> step(smooth.size());

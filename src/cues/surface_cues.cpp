@@ -15,8 +15,7 @@ SurfaceCues findSurfaceCues(const Frame& frame, const Normals& normals, const Ta
   const cv::Mat_<uchar> smooth = smoothPixels(frame, normals, object_points, bends, superpixels, threads);
   const SmoothSurface surface = connectSmooth(frame, normals, table.noise, smooth, superpixels, threads);
   inParallel(
-      threads,
-      [&] { cues.edges = findEdges(frame, normals, table, object_points, region, bends, edges, threads); },
+      threads, [&] { cues.edges = findEdges(frame, normals, table, object_points, region, bends, edges, threads); },
       [&] { cues.superpixels = growSuperpixels(frame, surface, superpixels); });
   return cues;
 }

@@ -17,7 +17,7 @@ struct GroupParts {
   std::vector<std::vector<Eigen::Vector3f>> points, edges;
   std::vector<Ball> points_ball, edges_ball;  ///< around them
   std::vector<std::vector<cv::Point>> hull;   ///< convex, of the outline; pixels
-  float edge_stride = 1;                        ///< pixels of edges that a sampled one stands for
+  float edge_stride = 1;                      ///< pixels of edges that a sampled one stands for
   Eigen::Isometry3f T_camera_table = Eigen::Isometry3f::Identity();
   Eigen::Vector3f eye = Eigen::Vector3f::Zero();  ///< the camera, table frame
 };

@@ -10,8 +10,8 @@
 namespace objectness {
 namespace {
 
-constexpr int kBlockPx = 4;     // of which the depth range is kept
-constexpr int kGroup = 8;       // voxels of a cell's height
+constexpr int kBlockPx = 4;      // of which the depth range is kept
+constexpr int kGroup = 8;        // voxels of a cell's height
 constexpr int kMostGroups = 64;  // a bit each
 // What rounding could move a voxel's centre by: far more than it does.
 constexpr double kSlackPx = 0.01, kSlackM = 1e-6;
@@ -31,8 +31,8 @@ OcclusionMap::OcclusionMap(const Frame& frame, const Table& table, const VolumeC
   cells_x_ = std::max(1, static_cast<int>(std::ceil(size.x() / cell_m_)));
   cells_y_ = std::max(1, static_cast<int>(std::ceil(size.y() / cell_m_)));
   copyDepth(frame, config.unknown_is_occluded, threads);
-  view_ = {depth_.data(), camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy,
-           config.occlusion_tolerance_m};
+  view_ = {depth_.data(), camera.width, camera.height, camera.fx,
+           camera.fy,     camera.cx,    camera.cy,     config.occlusion_tolerance_m};
   classify(table, config.voxel_m, nz, threads);
 }
 

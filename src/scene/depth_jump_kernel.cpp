@@ -56,8 +56,7 @@ void findClearInRow(const ClearRow& above, const ClearRow& row, const ClearRow& 
 }
 
 OBJECTNESS_CLONES("avx2")
-void spreadDistance(const unsigned char* before, int width, int most, unsigned char* distance,
-                    unsigned char* scratch) {
+void spreadDistance(const unsigned char* before, int width, int most, unsigned char* distance, unsigned char* scratch) {
   if (before) {
     for (int u = 0; u < width; ++u) {
       const unsigned char nearest = smaller(smaller(before[u - 1], before[u + 1]), before[u]);

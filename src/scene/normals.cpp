@@ -100,7 +100,8 @@ Normals estimateNormals(const Frame& frame, const NormalsConfig& config, const D
   normals.depth_m.assign(size, nan);
   normals.radius_px.assign(size, 0);
   normals.jump = findDepthJumps(frame, config, noise, threads);
-  const cv::Mat_<uchar> clear = clearRadius(frame, normals.jump, threads, std::max(config.min_window_px, config.max_window_px));
+  const cv::Mat_<uchar> clear =
+      clearRadius(frame, normals.jump, threads, std::max(config.min_window_px, config.max_window_px));
   forRowBands(
       frame.height(), threads, [&](int first, int last) { fitRows(frame, config, clear, first, last, normals); },
       kRowsPerBand);

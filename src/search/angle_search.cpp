@@ -64,7 +64,8 @@ class AngleSearch {
               const SearchSettings& settings, const std::atomic<bool>* cancel)
       : marker_(marker), table_(table), grids_(grids), settings_(settings), cancel_(cancel) {
     const double voxel_m = settings.volume.voxel_m;
-    task_ = {samplingOf(settings.search, voxel_m), ringOf(settings.objectness, voxel_m), settings.objectness, 0, nullptr};
+    task_ = {samplingOf(settings.search, voxel_m), ringOf(settings.objectness, voxel_m), settings.objectness, 0,
+             nullptr};
   }
 
   bool cancelled() const { return cancel_ && *cancel_; }

@@ -109,7 +109,8 @@ TEST(GrownPieces, AreThoseOfThePlainWatershed) {
     const cv::Mat_<int> plain = PlainGrower(frame, normals, {}, config).run(smooth);
     EXPECT_GT(cv::countNonZero(plain >= 0), 1000);
     for (const int threads : {1, 3}) {
-      const cv::Mat_<int> pieces = growPieces(frame, connectSmooth(frame, normals, {}, smooth, config, threads), config);
+      const cv::Mat_<int> pieces =
+          growPieces(frame, connectSmooth(frame, normals, {}, smooth, config, threads), config);
       EXPECT_EQ(cv::norm(pieces, plain, cv::NORM_INF), 0) << seed;
     }
   }
@@ -118,7 +119,8 @@ TEST(GrownPieces, AreThoseOfThePlainWatershed) {
 TEST(GrownPieces, NothingGrowsFromNothing) {
   const Frame frame = randomFrame(20, 10, 1);
   const Normals normals = estimateNormals(frame, {});
-  const cv::Mat_<int> pieces = growPieces(frame, connectSmooth(frame, normals, {}, cv::Mat_<uchar>(10, 20, uchar(0)), {}), {});
+  const cv::Mat_<int> pieces =
+      growPieces(frame, connectSmooth(frame, normals, {}, cv::Mat_<uchar>(10, 20, uchar(0)), {}), {});
   EXPECT_EQ(cv::countNonZero(pieces + 1), 0);
 }
 

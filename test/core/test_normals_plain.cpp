@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstring>
 
+#include "../src/scene/depth_jumps.hpp"
 #include "fixtures/random_frame.hpp"
 #include "objectness_segmentation/scene/normals.hpp"
-#include "../src/scene/depth_jumps.hpp"
 
 using namespace objectness;
 using namespace objectness_test;
@@ -107,7 +107,8 @@ TEST(PlainNormals, JumpsAndWindowsAreTheSame) {
     const cv::Mat_<uchar> plain_clear = plain.clear();
     for (const int threads : {1, 3}) {
       const std::vector<unsigned char> jump = findDepthJumps(frame, config, {}, threads);
-      const cv::Mat_<uchar> clear = clearRadius(frame, jump, threads), short_sighted = clearRadius(frame, jump, threads, 6);
+      const cv::Mat_<uchar> clear = clearRadius(frame, jump, threads),
+                            short_sighted = clearRadius(frame, jump, threads, 6);
       for (int v = 0, i = 0; v < size.height; ++v) {
         for (int u = 0; u < size.width; ++u, ++i) {
           const int right = u + 1 < size.width && plain.apart(i, i + 1);

@@ -99,7 +99,11 @@ TEST(ThreadPool, CallsWithinCallsAreDoneAlone) {
 TEST(ThreadPool, AnExceptionLeavesThePoolUsable) {
   ThreadPool pool(3);
   for (int round = 0; round < 20; ++round) {
-    EXPECT_THROW(parallelFor(100, 3, [](int i) { if (i == 50) throw std::runtime_error("fifty"); }), std::runtime_error);
+    EXPECT_THROW(parallelFor(100, 3,
+                             [](int i) {
+                               if (i == 50) throw std::runtime_error("fifty");
+                             }),
+                 std::runtime_error);
     std::atomic<int> calls{0};
     parallelFor(100, 3, [&](int) { ++calls; });
     EXPECT_EQ(calls, 100);
@@ -115,7 +119,9 @@ TEST(ParallelFor, DoesTwoThingsAtOnceOrOneAfterTheOther) {
     EXPECT_EQ(first, 1);
     EXPECT_EQ(second, 10);
     EXPECT_EQ(nested, 10);
-    EXPECT_THROW(objectness::inParallel(threads, [] {}, [] { throw std::runtime_error("second"); }), std::runtime_error);
+    EXPECT_THROW(objectness::inParallel(
+                     threads, [] {}, [] { throw std::runtime_error("second"); }),
+                 std::runtime_error);
   }
 }
 

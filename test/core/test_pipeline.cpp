@@ -134,7 +134,8 @@ TEST(Pipeline, ReportsWhatWasDone) {
     stages.push_back(stage);
     EXPECT_GE(ms, 0);
   }
-  EXPECT_EQ(stages, (std::vector<std::string>{"normals", "table", "refined_normals", "object_points", "surface_cues", "cue_points", "search", "filter", "selection", "segments", "total"}));
+  EXPECT_EQ(stages, (std::vector<std::string>{"normals", "table", "refined_normals", "object_points", "surface_cues",
+                                              "cue_points", "search", "filter", "selection", "segments", "total"}));
   EXPECT_GT(countOf(result, "boxes_sampled"), countOf(result, "boxes_scored"));
   EXPECT_GT(countOf(result, "boxes_scored"), countOf(result, "boxes_passed"));
   EXPECT_GT(countOf(result, "boxes_passed"), countOf(result, "hypotheses"));

@@ -18,8 +18,7 @@ TEST(SurfaceCues, AreThoseFoundOneAfterTheOther) {
     EXPECT_GT(cv::countNonZero(edges.kinds), 100);
     EXPECT_GE(superpixels.count, 4);
     for (const int threads : {1, 2, 5}) {
-      const SurfaceCues cues =
-          findSurfaceCues(view.frame, view.normals, view.table, view.points, {}, config, threads);
+      const SurfaceCues cues = findSurfaceCues(view.frame, view.normals, view.table, view.points, {}, config, threads);
       EXPECT_EQ(cv::countNonZero(cues.edges.kinds != edges.kinds), 0) << threads;
       EXPECT_EQ(cv::countNonZero(cues.superpixels.label != superpixels.label), 0) << threads;
       EXPECT_EQ(cues.superpixels.count, superpixels.count);

@@ -6,6 +6,7 @@
 #include <pluginlib/class_list_macros.hpp>
 #include <utility>
 
+#include "guarded.hpp"
 #include "objectness_segmentation/io/config_yaml.hpp"
 #include "objectness_segmentation/ros/diagnostics.hpp"
 #include "objectness_segmentation/ros/output_conversions.hpp"
@@ -99,8 +100,9 @@ void SegmentObjectsNodelet::startReconfigure() {
   writeReconfigurable(config_, getPrivateNodeHandle());
   reconfigure_server_ = std::make_unique<ReconfigureServer>(reconfigure_mutex_, getPrivateNodeHandle());
   reconfigure_server_->getConfigDefault(accepted_);
-  reconfigure_server_->setCallback(
-      [this](ObjectnessSegmentationConfig& requested, std::uint32_t) { reconfigure(requested); });
+  reconfigure_server_->setCallback([this](ObjectnessSegmentationConfig& requested, std::uint32_t) {
+    guarded([&] { reconfigure(requested); }, [this](const std::string& what) { noteException(what); });
+  });
 }
 
 void SegmentObjectsNodelet::startDiagnostics() {
@@ -108,8 +110,9 @@ void SegmentObjectsNodelet::startDiagnostics() {
   diagnostics_->setHardwareID("none");
   diagnostics_->add("segmentation", this, &SegmentObjectsNodelet::diagnose);
   // Wall time: simulated time jumps back when a bag loops, and ROS timers then stand still.
-  diagnostics_timer_ = getNodeHandle().createWallTimer(
-      ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { diagnostics_->force_update(); });
+  diagnostics_timer_ = getNodeHandle().createWallTimer(ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) {
+    guarded([this] { diagnostics_->force_update(); }, [this](const std::string& what) { noteException(what); });
+  });
 }
 
 SegmentObjectsNodelet::~SegmentObjectsNodelet() {
@@ -130,7 +133,7 @@ void SegmentObjectsNodelet::noteException(const std::string& what) {
 }
 
 void SegmentObjectsNodelet::updateSubscriptions() {
-  try {
+  const auto update = [this] {
     std::lock_guard<std::mutex> lock(connect_mutex_);
     if (!inputs_) return;
     const bool wanted = !settings_.lazy || desk_.pending() || publishers_.haveSubscribers();
@@ -140,10 +143,11 @@ void SegmentObjectsNodelet::updateSubscriptions() {
     } else if (!wanted && inputs_->subscribed()) {
       inputs_->unsubscribe();
     }
-  } catch (const std::exception& e) {  // a topic of another type, for one
-    statistics_.noteException(e.what());
-    NODELET_ERROR("subscribing to the inputs failed: %s", e.what());
-  }
+  };
+  guarded(update, [this](const std::string& what) {  // a topic of another type, for one
+    statistics_.noteException(what);
+    NODELET_ERROR("subscribing to the inputs failed: %s", what.c_str());
+  });
 }
 
 void SegmentObjectsNodelet::handOver(const InputMessages& messages) {

@@ -6,6 +6,7 @@
 #include <exception>
 #include <utility>
 
+#include "guarded.hpp"
 #include "objectness_segmentation/ros/topics.hpp"
 #include "stamp_pairs.hpp"
 
@@ -151,12 +152,12 @@ bool SynchronizedInputs::noteFirst(const ros::Time& stamp) {
 /// message_filters, too, throws at stamps that are too far apart.
 template <class TakeIn>
 void SynchronizedInputs::guarded(const TakeIn& take_in) {
-  try {
-    std::lock_guard<std::mutex> lock(mutex_);
-    take_in();
-  } catch (const std::exception& e) {
-    callbacks_.exception(e.what());
-  }
+  objectness_segmentation::guarded(
+      [&] {
+        std::lock_guard<std::mutex> lock(mutex_);
+        take_in();
+      },
+      callbacks_.exception);
 }
 
 void SynchronizedInputs::receiveCloud(const sensor_msgs::PointCloud2ConstPtr& cloud) {

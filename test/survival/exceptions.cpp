@@ -95,6 +95,17 @@ TEST_P(Exceptions, EndTheirOwnFrameOnly) {
   EXPECT_TRUE(spinUntil([&] { return level_ == diagnostic_msgs::DiagnosticStatus::OK; }, 10));
 }
 
+TEST_P(Exceptions, InDiagnosticsAreThereInTheNext) {
+  ASSERT_NO_FATAL_FAILURE(expectGoodFrame(-1));
+  // No frame is under way: what allocates much is the text of the configuration, once a second.
+  FailingMemory::arm(GetParam(), kMuchBytes, 0, true);
+  EXPECT_TRUE(spinUntil([] { return FailingMemory::fired(); }, 10));
+  FailingMemory::disarm();
+  EXPECT_TRUE(spinUntil([&] { return level_ == diagnostic_msgs::DiagnosticStatus::ERROR; }, 10));
+  ASSERT_NO_FATAL_FAILURE(expectGoodFrame(0));
+  EXPECT_TRUE(spinUntil([&] { return level_ == diagnostic_msgs::DiagnosticStatus::OK; }, 10));
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, Exceptions,
                          ::testing::Values(Failure::kBadAlloc, Failure::kException, Failure::kNoException));
 

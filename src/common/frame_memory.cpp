@@ -33,4 +33,10 @@ void keepFrameMemory() {
 #endif
 }
 
+void returnFrameMemory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
 }  // namespace objectness

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "guarded.hpp"
+#include "objectness_segmentation/common/frame_memory.hpp"
 #include "objectness_segmentation/io/config_yaml.hpp"
 #include "objectness_segmentation/ros/diagnostics.hpp"
 #include "objectness_segmentation/ros/output_conversions.hpp"
@@ -125,6 +126,7 @@ SegmentObjectsNodelet::~SegmentObjectsNodelet() {
   }
   if (reconfigure_server_) reconfigure_server_->clearCallback();
   if (worker_) worker_->stop();
+  if (settings_.keep_memory) objectness::returnFrameMemory();
 }
 
 void SegmentObjectsNodelet::noteException(const std::string& what) {

@@ -9,4 +9,8 @@ namespace objectness {
 /// thread that segments, and is not the main one, calls it itself. Nothing where the C library is not glibc.
 void keepFrameMemory();
 
+/// Returns what is kept and not in use to the system, of all threads: when no more frames are to come. The next thread
+/// that segments would not find it again.
+void returnFrameMemory();
+
 }  // namespace objectness

@@ -6,6 +6,8 @@
 #ifdef __GLIBC__
 #include <malloc.h>
 #include <sys/mman.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include <cstdint>
 #endif
@@ -21,6 +23,9 @@ void keepFrameMemory() {
   constexpr std::size_t kBlock = 24 * kMegabyte;
   mallopt(M_MMAP_THRESHOLD, kLargestBlock);
   mallopt(M_TRIM_THRESHOLD, kKept);
+  // The main thread only: the heaps of others are small, and with large pages a process grows with every thread that
+  // comes and goes.
+  if (getpid() != static_cast<pid_t>(syscall(SYS_gettid))) return;
   // The heap grows by blocks that are freed at once: addresses only, until a frame touches them.
   void* blocks[3];
   for (void*& block : blocks) {

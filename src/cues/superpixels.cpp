@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "../scene/sampled_values.hpp"
 #include "cue_steps.hpp"
 #include "grown_pieces.hpp"
 #include "objectness_segmentation/common/row_bands.hpp"
@@ -21,18 +22,10 @@ constexpr int kResidualStride = 5, kStepStride = 17;
 template <class Length>
 double tableMedian(const Frame& frame, const Normals& normals, const ObjectPoints& object_points, int stride,
                    int threads, Length&& length_m) {
-  constexpr int kBands = 16;
-  std::vector<float> lengths[kBands];
-  const int samples = (frame.size() + stride - 1) / stride;
-  parallelFor(kBands, threads, [&](int band) {
-    for (int k = samples * band / kBands; k < samples * (band + 1) / kBands; ++k) {
-      const int i = k * stride;
-      const float z = frame.points[i].z();
-      if (object_points.on_table(i) && normals.radius_px[i] > 0) lengths[band].push_back(length_m(i) / (z * z));
-    }
+  std::vector<float> all = sampledValues(frame.size(), stride, threads, [&](int i, std::vector<float>& lengths) {
+    const float z = frame.points[i].z();
+    if (object_points.on_table(i) && normals.radius_px[i] > 0) lengths.push_back(length_m(i) / (z * z));
   });
-  std::vector<float> all;
-  for (const auto& part : lengths) all.insert(all.end(), part.begin(), part.end());
   if (all.empty()) return 0;
   const auto middle = all.begin() + all.size() / 2;
   std::nth_element(all.begin(), middle, all.end());

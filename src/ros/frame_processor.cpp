@@ -20,10 +20,14 @@ void preferUp(const Eigen::Vector3d& up, objectness::TableConfig& table) {
 
 }  // namespace
 
+FrameProcessor::~FrameProcessor() {
+  if (keeps_memory_) objectness::returnFrameMemory();
+}
+
 ProcessedFrame FrameProcessor::process(const InputMessages& messages, objectness::Config config,
                                        const std::optional<objectness::LearnedObjectness>& model,
                                        const std::atomic<bool>& stop) {
-  if (std::exchange(keep_memory_, false)) objectness::keepFrameMemory();
+  if (keep_memory_ && !std::exchange(keeps_memory_, true)) objectness::keepFrameMemory();
   ProcessedFrame processed;
   const auto start = std::chrono::steady_clock::now();
   const CameraPose pose = poses_.at(messages.header(), stop);

@@ -22,6 +22,9 @@ class FrameProcessor {
  public:
   FrameProcessor(const NodeSettings& settings, const ros::NodeHandle& nh)
       : poses_(settings, nh), keep_memory_(settings.keep_memory) {}
+  ~FrameProcessor();
+  FrameProcessor(const FrameProcessor&) = delete;
+  FrameProcessor& operator=(const FrameProcessor&) = delete;
 
   /// model: none for the built-in one. Does not throw for what is wrong with the messages.
   ProcessedFrame process(const InputMessages& messages, objectness::Config config,
@@ -33,7 +36,8 @@ class FrameProcessor {
  private:
   CameraPoses poses_;
   objectness::Tracker tracker_;
-  bool keep_memory_;  ///< has still to be said
+  const bool keep_memory_;
+  bool keeps_memory_ = false;  ///< from the first frame on
 };
 
 }  // namespace objectness_segmentation

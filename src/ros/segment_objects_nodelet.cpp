@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "guarded.hpp"
-#include "objectness_segmentation/common/frame_memory.hpp"
 #include "objectness_segmentation/io/config_yaml.hpp"
 #include "objectness_segmentation/ros/diagnostics.hpp"
 #include "objectness_segmentation/ros/output_conversions.hpp"
@@ -126,7 +125,6 @@ SegmentObjectsNodelet::~SegmentObjectsNodelet() {
   }
   if (reconfigure_server_) reconfigure_server_->clearCallback();
   if (worker_) worker_->stop();
-  if (settings_.keep_memory) objectness::returnFrameMemory();
 }
 
 void SegmentObjectsNodelet::noteException(const std::string& what) {

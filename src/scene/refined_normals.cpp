@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "objectness_segmentation/common/parallel.hpp"
 #include "plane_grid.hpp"
+#include "sampled_values.hpp"
 
 namespace objectness {
 namespace {
@@ -20,22 +20,14 @@ constexpr float kOnTableM = 0.003f;
 double tableNormalError(const Frame& frame, const Normals& normals, const Table& table, int threads) {
   const Eigen::Vector3f up = table.normal.cast<float>();
   const Eigen::Matrix<double, 2, 3> axes = table.T_table_camera.linear().topRows<2>();
-  constexpr int kParts = 8;
-  std::vector<float> parts[kParts];
-  const int samples = (frame.size() + kStride - 1) / kStride;
-  parallelFor(kParts, threads, [&](int part) {
-    for (int k = samples * part / kParts; k < samples * (part + 1) / kParts; ++k) {
-      const int i = k * kStride;
-      if (normals.radius_px[i] == 0) continue;
-      const Eigen::Vector3f& p = frame.points[i];
-      const double tolerance = std::max<double>(kOnTableM, kOnTableSigmas * table.noise.sigma(p.z()));
-      if (std::abs(table.height(p)) > tolerance) continue;
-      const Eigen::Vector2d foot = axes * p.cast<double>();
-      if (table.extent.at(foot.x(), foot.y()) == kCore) parts[part].push_back(normals.normal[i].dot(up));
-    }
+  std::vector<float> cosines = sampledValues(frame.size(), kStride, threads, [&](int i, std::vector<float>& values) {
+    if (normals.radius_px[i] == 0) return;
+    const Eigen::Vector3f& p = frame.points[i];
+    const double tolerance = std::max<double>(kOnTableM, kOnTableSigmas * table.noise.sigma(p.z()));
+    if (std::abs(table.height(p)) > tolerance) return;
+    const Eigen::Vector2d foot = axes * p.cast<double>();
+    if (table.extent.at(foot.x(), foot.y()) == kCore) values.push_back(normals.normal[i].dot(up));
   });
-  std::vector<float> cosines;
-  for (const auto& part : parts) cosines.insert(cosines.end(), part.begin(), part.end());
   if (cosines.size() < kMinSamples) return 0;
   const auto middle = cosines.begin() + cosines.size() / 2;
   std::nth_element(cosines.begin(), middle, cosines.end());

@@ -35,15 +35,12 @@ class BagPlayer {
   BagPlayer& operator=(const BagPlayer&) = delete;
 
   bool running() {
-    if (process_ > 0 && waitpid(process_, &status_, WNOHANG) == process_) process_ = -1;
+    if (process_ > 0 && waitpid(process_, nullptr, WNOHANG) == process_) process_ = -1;
     return process_ > 0;
   }
-  /// Of a player that is not running any more.
-  bool succeeded() const { return WIFEXITED(status_) && WEXITSTATUS(status_) == 0; }
 
  private:
   pid_t process_ = -1;
-  int status_ = 0;
 };
 
 }  // namespace objectness_test

@@ -67,7 +67,9 @@ class Playback : public testing::Test {
 
   static std::vector<std::string> play(const std::vector<std::string>& options) {
     std::vector<std::string> arguments = options;
-    arguments.insert(arguments.end(), {bag(), "--topics", bag_topics::kPoints, bag_topics::kCameraInfo});
+    // A player that ends at once takes with it what it has not sent yet: it stays until it is ended.
+    arguments.insert(arguments.end(),
+                     {"--keep-alive", bag(), "--topics", bag_topics::kPoints, bag_topics::kCameraInfo});
     return arguments;
   }
   static std::vector<ros::Time> playedStamps() {
@@ -82,7 +84,6 @@ class Playback : public testing::Test {
   std::uint32_t droppedSoFar() {
     BagPlayer first(play({"-u", "0.1"}));
     EXPECT_TRUE(waitForAnswerTo(playedStamps().front()));
-    EXPECT_TRUE(waitUntil([&] { return !first.running(); }));
     const std::uint32_t dropped = answers_.empty() ? 0 : answers_.back()->dropped_frames;
     answers_.clear();
     return dropped;

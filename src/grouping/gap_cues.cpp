@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 namespace objectness {
@@ -19,18 +18,29 @@ struct Segment3 {
   int first, second;
 };
 
+using Coordinates = Eigen::Array<float, Eigen::Dynamic, 3>;
+
+Coordinates coordinatesOf(const Frame& frame, const std::vector<int>& pixels) {
+  Coordinates points(pixels.size(), 3);
+  for (std::size_t i = 0; i < pixels.size(); ++i) points.row(i) = frame.points[pixels[i]].transpose().array();
+  return points;
+}
+
 /// The nearest pairs of outline points, each point in one segment only, so that they spread along the gap.
 std::vector<Segment3> nearestSegments(const Frame& frame, const std::vector<int>& first,
                                       const std::vector<int>& second) {
+  if (second.empty()) return {};
+  const Coordinates others = coordinatesOf(frame, second);
+  Eigen::ArrayXf distances(others.rows());
   std::vector<Segment3> all;
   all.reserve(first.size());
   for (const int a : first) {
-    Segment3 best{std::numeric_limits<float>::max(), a, -1};
-    for (const int b : second) {
-      const float distance = (frame.points[a] - frame.points[b]).squaredNorm();
-      if (distance < best.distance) best = {distance, a, b};
-    }
-    all.push_back(best);
+    const Eigen::Vector3f& p = frame.points[a];
+    distances = (others.col(0) - p.x()).square() +
+                ((others.col(1) - p.y()).square() + (others.col(2) - p.z()).square());
+    const float least = distances.minCoeff();
+    const auto nearest = std::find(distances.data(), distances.data() + distances.size(), least) - distances.data();
+    all.push_back({least, a, second[nearest]});
   }
   const std::size_t kept = std::min<std::size_t>(kSegments, all.size());
   std::partial_sort(all.begin(), all.begin() + kept, all.end(), [](const Segment3& x, const Segment3& y) {

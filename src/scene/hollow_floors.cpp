@@ -63,9 +63,12 @@ double median(std::vector<float>& values) {
 /// Height of the highest point of each thing.
 std::vector<float> rims(const Things& things, const HeightMap& map) {
   std::vector<float> rim_m(things.count + 1, 0);
-  for (std::size_t i = 0; i < things.label.total(); ++i) {
-    const int thing = things.label.ptr<int>()[i];
-    if (thing > 0) rim_m[thing] = std::max(rim_m[thing], map.height_m.ptr<float>()[i]);
+  for (int v = 0; v < things.label.rows; ++v) {
+    const int* thing = things.label[v];
+    const float* height = map.height_m[v];
+    for (int u = 0; u < things.label.cols; ++u) {
+      if (thing[u] > 0) rim_m[thing[u]] = std::max(rim_m[thing[u]], height[u]);
+    }
   }
   return rim_m;
 }
@@ -118,16 +121,22 @@ Regions findRegions(const Things& things, const HeightMap& map) {
 /// Convex hulls of the things around closed regions, seen from above, in cells of the table's extent.
 std::vector<std::vector<cv::Point>> footprints(const Frame& frame, const Table& table, const Things& things,
                                                const std::vector<Region>& regions) {
-  std::vector<bool> wanted(things.count + 1, false);
+  std::vector<char> wanted(things.count + 1, false);
   for (const Region& region : regions) {
     if (!region.open) wanted[region.things[0]] = wanted[region.things[1]] = true;
   }
   wanted[0] = false;
   const Eigen::Matrix<float, 2, 3> axes = table.T_table_camera.linear().topRows<2>().cast<float>();
   std::vector<std::vector<cv::Point>> cells(things.count + 1), hulls(things.count + 1);
-  for (std::size_t i = 0; i < things.label.total(); ++i) {
-    const int thing = things.label.ptr<int>()[i];
-    if (wanted[thing]) cells[thing].push_back(cellOf(axes * frame.points[i], table.extent));
+  for (int v = 0; v < things.label.rows; ++v) {
+    const int* label = things.label[v];
+    const Eigen::Vector3f* point = frame.points.data() + std::size_t(v) * things.label.cols;
+    for (int u = 0; u < things.label.cols; ++u) {
+      if (!wanted[label[u]]) continue;
+      std::vector<cv::Point>& of_thing = cells[label[u]];
+      const cv::Point cell = cellOf(axes * point[u], table.extent);
+      if (of_thing.empty() || of_thing.back() != cell) of_thing.push_back(cell);  // many pixels in a row see one cell
+    }
   }
   for (std::size_t k = 0; k < cells.size(); ++k) {
     if (!cells[k].empty()) cv::convexHull(cells[k], hulls[k]);

@@ -11,49 +11,45 @@ BitCost::BitCost(const BitProblem& problem, const SelectionConfig& config)
     : problem_(problem),
       config_(config),
       words_(problem.layout.words()),
+      none_(words_, ~std::uint64_t{0}),
+      one_(words_, 0),
+      two_(words_, 0),
       active_(problem.hypotheses.size(), false),
-      scratch_{0, std::vector<std::uint64_t>(words_, 0)},
       settled_(problem.hypotheses.size()) {
   held_.bits.assign(words_, 0);
   beside_.bits.assign(words_, 0);
-}
-
-long BitCost::sharedWith(const PointBits& set, int j) const {
-  const PointBits& other = problem_.hypotheses[j].inside;
-  const std::uint64_t groups = set.groups & other.groups;
-  if (groups == 0) return 0;
-  return countCommon(set.words.data(), other.words.data(), groups, problem_.layout.group_words);
+  for (const BitHypothesis& h : problem.hypotheses) {
+    points_.push_back(countCommon(h.inside.words.data(), h.inside.words.data(), h.inside.groups,
+                                  problem.layout.group_words));
+  }
 }
 
 double BitCost::flipDelta(int i) const {
   const BitHypothesis& h = problem_.hypotheses[i];
   const int group_words = problem_.layout.group_words;
   const bool leaves = active_[i];
-  const HeldCounts in = countHeld(h.inside.words.data(), h.inside.groups, group_words, counters(held_),
-                                  counters(beside_), leaves ? 1 : 0);
-  const HeldCounts around = countHeld(h.surroundings.words.data(), h.surroundings.groups, group_words, counters(held_),
-                                      {beside_.bits.data(), 0, words_}, 0);
+  const HeldCounts in = countHeld(h.inside.words.data(), h.inside.groups, group_words, sets(), counters(beside_),
+                                  leaves ? 1 : 0);
+  const long more = points_[i] - in.none - in.one - in.two;
+  const long around = countCommon(h.surroundings.words.data(), none_.data(), h.surroundings.groups, group_words);
   CostChange change;
   change.step = leaves ? -1 : 1;
   // A point's second box makes it count twice, each further one once more.
-  change.multiple = leaves ? -(2L * in.two + in.more) : 2L * in.one + in.two + in.more;
-  change.unexplained = leaves ? in.unexplained - around.none : around.none - in.unexplained;
+  change.multiple = leaves ? -(2L * in.two + more) : 2L * in.one + in.two + more;
+  change.unexplained = leaves ? in.unexplained - around : around - in.unexplained;
   const long own = leaves ? -in.one : in.none;
   // Points that the others lose to this box, or win from it.
-  const bool contested = (leaves ? in.two : in.one) != 0;
-  if (contested) {
-    scratch_.groups = h.inside.groups;
-    selectHeld(h.inside.words.data(), h.inside.groups, group_words, counters(held_), leaves ? 2 : 1,
-               scratch_.words.data());
-  }
+  const std::uint64_t* contested = leaves ? two_.data() : one_.data();
   bool own_added = false;
   for (const int j : actives_) {
     if (!own_added && j >= i) {
       change.objectness += h.objectness * static_cast<double>(own);
       own_added = true;
     }
-    if (j == i || !contested) continue;
-    const long shared = sharedWith(scratch_, j);
+    const PointBits& other = problem_.hypotheses[j].inside;
+    const std::uint64_t groups = in.shared & other.groups;
+    if (j == i || groups == 0) continue;
+    const long shared = countCommon(h.inside.words.data(), other.words.data(), contested, groups, group_words);
     if (shared != 0) change.objectness += problem_.hypotheses[j].objectness * static_cast<double>(leaves ? shared : -shared);
   }
   if (!own_added) change.objectness += h.objectness * static_cast<double>(own);
@@ -81,6 +77,7 @@ void BitCost::toggle(int i) {
   active_[i] = add;
   const int most = static_cast<int>(actives_.size());
   adjust(h.inside, add, most, held_);
+  findHeld(counters(held_), h.inside.groups, problem_.layout.group_words, none_.data(), one_.data(), two_.data());
   adjust(h.surroundings, add, most, beside_);
 }
 
@@ -96,7 +93,11 @@ void BitCost::undo(const std::vector<int>& flips, double cost) {
   cost_ = cost;
 }
 
-bool BitCost::share(int i, int j) const { return sharedWith(problem_.hypotheses[i].inside, j) != 0; }
+bool BitCost::share(int i, int j) const {
+  const PointBits &a = problem_.hypotheses[i].inside, &b = problem_.hypotheses[j].inside;
+  const std::uint64_t groups = a.groups & b.groups;
+  return groups != 0 && haveCommon(a.words.data(), b.words.data(), groups, problem_.layout.group_words);
+}
 
 std::vector<int> BitCost::rivals(int i, bool active) const {
   std::vector<int> found;

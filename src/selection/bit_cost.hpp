@@ -41,18 +41,19 @@ class BitCost {
   void toggle(int i);
   void adjust(const PointBits& set, bool add, int most, Planes& planes);
   bool share(int i, int j) const;
-  long sharedWith(const PointBits& set, int j) const;
   Counters counters(const Planes& planes) const { return {planes.bits.data(), planes.count, words_}; }
+  HeldSets sets() const { return {none_.data(), one_.data(), two_.data()}; }
   std::uint64_t reach(int i) const;
 
   const BitProblem& problem_;
   const SelectionConfig config_;
   const int words_;
   Planes held_, beside_;
+  std::vector<std::uint64_t> none_, one_, two_;  ///< the points in as many active boxes: held_, spelt out
+  std::vector<int> points_;                      ///< in each box
   std::vector<bool> active_;
   std::vector<int> actives_;  ///< ascending
   double cost_ = 0;
-  mutable PointBits scratch_;
   std::vector<std::uint64_t> changes_;  ///< the groups that each change touched
   struct Settled {
     std::size_t changes = 0;  ///< how many there were

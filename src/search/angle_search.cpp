@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
-#include <mutex>
 
 #include "objectness_segmentation/common/parallel.hpp"
+#include "objectness_segmentation/common/spares.hpp"
 #include "objectness_segmentation/integral/cue_volumes.hpp"
 #include "objectness_segmentation/integral/voxel_marker.hpp"
 #include "objectness_segmentation/search/search.hpp"
@@ -33,24 +33,6 @@ struct AngleMemory {
   VoxelMarker::Scratch scratch;
   CueVoxels voxels;
   CueVolumes volumes;
-};
-class FreeMemory {
- public:
-  std::unique_ptr<AngleMemory> take() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (free_.empty()) return std::make_unique<AngleMemory>();
-    std::unique_ptr<AngleMemory> memory = std::move(free_.back());
-    free_.pop_back();
-    return memory;
-  }
-  void put(std::unique_ptr<AngleMemory> memory) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    free_.push_back(std::move(memory));
-  }
-
- private:
-  std::mutex mutex_;
-  std::vector<std::unique_ptr<AngleMemory>> free_;
 };
 
 double highestObjectness(const ObjectnessConfig& o) {
@@ -93,7 +75,7 @@ class AngleSearch {
   const SearchSettings& settings_;
   const std::atomic<bool>* cancel_;
   SearchTask task_;
-  FreeMemory memory_;
+  Spares<AngleMemory> memory_;
 };
 
 /// The boxes of all angles in one list, best first.

@@ -27,7 +27,7 @@ Hypotheses filterByObjectness(const std::vector<ScoredBox>& boxes, const std::ve
   for (auto& one : built) points_of.push_back(std::move(*one));
 
   const int ring = static_cast<int>(std::lround(selection.ring_m / grids.front().voxel_m));
-  for (SurvivingBox& kept : suppressBoxes(boxes, grids, points_of, layout, filter)) {
+  for (SurvivingBox& kept : suppressBoxes(boxes, grids, points_of, layout, filter, threads)) {
     const ScoredBox& scored = kept.scored;
     PointBits beside{0, std::vector<std::uint64_t>(layout.words(), 0)};
     points_of[scored.box.angle].inside(scored.box, ring, ring, beside);

@@ -2,11 +2,12 @@
 #include "suppression.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
+#include "kept_boxes.hpp"
 #include "leader_clusters.hpp"
-#include "set_kernel.hpp"
+#include "objectness_segmentation/common/row_bands.hpp"
+#include "objectness_segmentation/common/spares.hpp"
 
 namespace objectness {
 namespace {
@@ -28,53 +29,6 @@ LeaderClusters clustersOver(const std::vector<Grid>& grids, double radius_m) {
   return {radius_m, low, high};
 }
 
-/// The boxes kept so far.
-class KeptBoxes {
- public:
-  KeptBoxes(const std::vector<SurvivingBox>& boxes, const PointLayout& layout, const FilterConfig& config)
-      : boxes_(boxes), layout_(layout), config_(config) {}
-
-  void add(int count, int cluster) { kept_.push_back({static_cast<int>(kept_.size()), count, cluster}); }
-
-  /// Whether one of them is in conflict with a box: "share at least 95 % of scene points within them, with respect to
-  /// the box with more points" (Sec. 4.1). recent: those of its cluster that suppressed a box, the last one first.
-  bool conflictsWith(const PointBits& points, int count, int cluster, std::vector<int>& recent) const {
-    for (std::size_t k = 0; k < recent.size(); ++k) {
-      if (!inConflict(kept_[recent[k]], points, count, cluster)) continue;
-      std::rotate(recent.begin(), recent.begin() + k, recent.begin() + k + 1);
-      return true;
-    }
-    for (auto kept = kept_.rbegin(); kept != kept_.rend(); ++kept) {
-      if (!inConflict(*kept, points, count, cluster)) continue;
-      recent.insert(recent.begin(), kept->index);
-      if (recent.size() > kRemembered) recent.pop_back();
-      return true;
-    }
-    return false;
-  }
-
- private:
-  static constexpr std::size_t kRemembered = 16;
-  struct Kept {
-    int index, count, cluster;
-  };
-
-  bool inConflict(const Kept& kept, const PointBits& points, int count, int cluster) const {
-    const double needed = config_.conflict_share * std::max(count, kept.count);
-    if (std::min(count, kept.count) < needed) return false;
-    if (!config_.across_clusters && kept.cluster != cluster) return false;
-    const PointBits& other = boxes_[kept.index].points;
-    const std::uint64_t groups = points.groups & other.groups;
-    return groups != 0 &&
-           countCommon(points.words.data(), other.words.data(), groups, layout_.group_words) >= needed;
-  }
-
-  const std::vector<SurvivingBox>& boxes_;
-  const PointLayout& layout_;
-  const FilterConfig& config_;
-  std::vector<Kept> kept_;
-};
-
 /// A copy with nothing in the groups that are not the set's.
 PointBits cleared(const PointBits& points, const PointLayout& layout) {
   PointBits copy{points.groups, std::vector<std::uint64_t>(layout.words(), 0)};
@@ -85,31 +39,114 @@ PointBits cleared(const PointBits& points, const PointLayout& layout) {
   return copy;
 }
 
+/// What a thread has at hand while it looks at boxes.
+struct Looker {
+  PointBits points{0, {}};  ///< of the box looked at
+  int count = 0;            ///< of them
+  std::vector<std::vector<int>> suppressors;  ///< by cluster; of the boxes that are in none yet the first
+
+  std::vector<int>& recent(int cluster) {
+    if (cluster + 2 > static_cast<int>(suppressors.size())) suppressors.resize(cluster + 2);
+    return suppressors[cluster + 1];
+  }
+};
+
+/// What was kept before a batch tells of a box in it.
+struct Look {
+  LeaderClusters::Nearest nearest;
+  bool done = false;
+  bool suppressed = false;
+};
+
+class Suppression {
+ public:
+  Suppression(const std::vector<ScoredBox>& boxes, const std::vector<Grid>& grids, const std::vector<BoxPoints>& points,
+              const PointLayout& layout, const FilterConfig& config, int threads)
+      : boxes_(boxes),
+        grids_(grids),
+        points_(points),
+        layout_(layout),
+        config_(config),
+        threads_(threads),
+        clusters_(clustersOver(grids, config.cluster_radius_m)),
+        kept_(survivors_, layout, config) {}
+
+  std::vector<SurvivingBox> run() {
+    constexpr std::size_t kFirst = 64, kLargest = 8192;  // boxes a batch
+    std::size_t size = kFirst;
+    for (std::size_t first = 0; first < boxes_.size(); first += size, size = std::min(2 * size, kLargest)) {
+      doBatch(first, std::min(size, boxes_.size() - first));
+    }
+    return std::move(survivors_);
+  }
+
+ private:
+  static constexpr int kBoxesAtOnce = 64;
+
+  void doBatch(std::size_t first, std::size_t size) {
+    std::vector<Look> looks(size);
+    forRowBands(
+        static_cast<int>(size), threads_,
+        [&](int begin, int end) {
+          std::unique_ptr<Looker> looker = lookers_.take();
+          for (int i = begin; i < end; ++i) looks[i] = look(boxes_[first + i], *looker);
+          lookers_.put(std::move(looker));
+        },
+        kBoxesAtOnce);
+    const int clusters = clusters_.count(), kept = kept_.size();
+    std::unique_ptr<Looker> looker = lookers_.take();
+    for (std::size_t i = 0; i < size; ++i) settle(boxes_[first + i], looks[i], clusters, kept, *looker);
+    lookers_.put(std::move(looker));
+  }
+
+  Look look(const ScoredBox& scored, Looker& looker) const {
+    Look seen;
+    seen.nearest = clusters_.nearest(centreOf(scored.box, grids_[scored.box.angle]));
+    const int cluster = seen.nearest.cluster;
+    seen.done = cluster < 0 || looked_at_[cluster] < config_.max_boxes_per_cluster;
+    seen.suppressed = seen.done && isSuppressed(scored, cluster, 0, looker);
+    return seen;
+  }
+
+  /// clusters, kept: how many there were when it was looked at.
+  void settle(const ScoredBox& scored, const Look& seen, int clusters, int kept, Looker& looker) {
+    const int cluster = clusters_.assign(centreOf(scored.box, grids_[scored.box.angle]), seen.nearest, clusters);
+    looked_at_.resize(clusters_.count(), 0);
+    if (looked_at_[cluster] == config_.max_boxes_per_cluster) return;
+    ++looked_at_[cluster];
+    const bool holds = seen.done && (config_.across_clusters || cluster == seen.nearest.cluster);
+    if (holds && seen.suppressed) return;
+    if (isSuppressed(scored, cluster, holds ? kept : 0, looker)) return;
+    survivors_.push_back({scored, cleared(looker.points, layout_)});
+    kept_.add(looker.count, cluster);
+  }
+
+  bool isSuppressed(const ScoredBox& scored, int cluster, int first_kept, Looker& looker) const {
+    looker.points.words.resize(layout_.words(), 0);
+    looker.count = points_[scored.box.angle].inside(scored.box, 0, 0, looker.points);
+    return looker.count == 0 ||
+           kept_.conflictsWith(looker.points, looker.count, cluster, first_kept, looker.recent(cluster));
+  }
+
+  const std::vector<ScoredBox>& boxes_;
+  const std::vector<Grid>& grids_;
+  const std::vector<BoxPoints>& points_;
+  const PointLayout& layout_;
+  const FilterConfig& config_;
+  const int threads_;
+  LeaderClusters clusters_;
+  std::vector<int> looked_at_;  ///< boxes, by cluster
+  std::vector<SurvivingBox> survivors_;
+  KeptBoxes kept_;
+  Spares<Looker> lookers_;
+};
+
 }  // namespace
 
 std::vector<SurvivingBox> suppressBoxes(const std::vector<ScoredBox>& boxes, const std::vector<Grid>& grids,
                                         const std::vector<BoxPoints>& points, const PointLayout& layout,
-                                        const FilterConfig& config) {
-  LeaderClusters clusters = clustersOver(grids, config.cluster_radius_m);
-  struct Members {
-    int looked_at = 0;
-    std::vector<int> suppressors;
-  };
-  std::vector<Members> members;
-  std::vector<SurvivingBox> survivors;
-  KeptBoxes kept(survivors, layout, config);
-  PointBits held{0, std::vector<std::uint64_t>(layout.words(), 0)};
-  for (const auto& scored : boxes) {
-    const std::size_t cluster = clusters.assign(centreOf(scored.box, grids[scored.box.angle]));
-    if (cluster == members.size()) members.emplace_back();
-    if (members[cluster].looked_at == config.max_boxes_per_cluster) continue;
-    ++members[cluster].looked_at;
-    const int count = points[scored.box.angle].inside(scored.box, 0, 0, held);
-    if (count == 0 || kept.conflictsWith(held, count, static_cast<int>(cluster), members[cluster].suppressors)) continue;
-    survivors.push_back({scored, cleared(held, layout)});
-    kept.add(count, static_cast<int>(cluster));
-  }
-  return survivors;
+                                        const FilterConfig& config, int threads) {
+  return Suppression(boxes, grids, points, layout, config, threads).run();
 }
 
 }  // namespace objectness

@@ -79,10 +79,8 @@ class AngleSearch {
 };
 
 /// The boxes of all angles in one list, best first.
-void gather(std::vector<SearchResult>& results, std::size_t most_per_angle, SearchOutcome& outcome) {
-  std::size_t boxes = 0;
-  for (const SearchResult& result : results) boxes += std::min(result.boxes.size(), most_per_angle);
-  outcome.boxes.reserve(boxes);
+void gather(std::vector<SearchResult>& results, std::size_t most_per_angle, int threads, SearchOutcome& outcome) {
+  std::vector<std::vector<ScoredBox>> lists;
   for (SearchResult& result : results) {
     outcome.sampled += result.sampled;
     outcome.scored += result.scored;
@@ -90,10 +88,9 @@ void gather(std::vector<SearchResult>& results, std::size_t most_per_angle, Sear
     outcome.passed += static_cast<std::int64_t>(result.boxes.size());
     if (outcome.unbounded.empty()) outcome.unbounded = result.unbounded;
     if (result.boxes.size() > most_per_angle) result.boxes.resize(most_per_angle);
-    outcome.boxes.insert(outcome.boxes.end(), result.boxes.begin(), result.boxes.end());
-    std::vector<ScoredBox>().swap(result.boxes);  // over a million in a dense pile
+    lists.push_back(std::move(result.boxes));
   }
-  sortBestFirst(outcome.boxes);
+  outcome.boxes = mergeBestFirst(lists, threads);
 }
 
 std::size_t countBoxesOf(const std::vector<SearchResult>& results) {
@@ -141,7 +138,7 @@ SearchOutcome searchAllAngles(const Frame& frame, const Table& table, const CueP
   }
   if (search.cancelled()) outcome.status = Status::error(StatusCode::kCancelled, "cancelled while searching boxes");
 
-  gather(results, settings.search.max_boxes_per_angle, outcome);
+  gather(results, settings.search.max_boxes_per_angle, settings.threads, outcome);
   if (top_k > 0 && outcome.boxes.size() >= top_k) {
     outcome.boxes.resize(top_k);
     outcome.threshold = outcome.boxes.back().objectness;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <utility>
 
+#include "objectness_segmentation/common/parallel.hpp"
 #include "objectness_segmentation/search/search.hpp"
 
 namespace objectness {
@@ -17,7 +19,8 @@ std::uint32_t rankOf(float objectness) {
 }
 
 struct Ranked {
-  std::uint32_t rank, index;
+  std::uint32_t rank;
+  const ScoredBox* box;
 };
 
 /// Stable, by rank: digit by digit, the last one first.
@@ -35,25 +38,75 @@ void radixSort(std::vector<Ranked>& entries) {
   }
 }
 
-}  // namespace
-
-void sortBestFirst(std::vector<ScoredBox>& boxes) {
-  // Numbers are sorted instead of boxes, which are moved only once.
-  std::vector<Ranked> order(boxes.size());
-  for (std::size_t i = 0; i < boxes.size(); ++i) order[i] = {rankOf(boxes[i].objectness), static_cast<std::uint32_t>(i)};
-  radixSort(order);
-  std::vector<ScoredBox> sorted;
-  sorted.reserve(boxes.size());
-  for (const Ranked& entry : order) sorted.push_back(boxes[entry.index]);
-  // Ties by the order of enumeration, which they often have already.
-  for (auto first = sorted.begin(); first != sorted.end();) {
-    auto last = first + 1;
+/// Numbers are sorted instead of boxes, which are moved only once. entries: in the order of enumeration where objectness
+/// is the same, mostly.
+void writeBestFirst(std::vector<Ranked>& entries, ScoredBox* sorted) {
+  radixSort(entries);
+  ScoredBox* end = sorted;
+  for (const Ranked& entry : entries) *end++ = *entry.box;
+  for (ScoredBox* first = sorted; first != end;) {
+    ScoredBox* last = first + 1;
     bool in_order = true;
-    for (; last != sorted.end() && last->objectness == first->objectness; ++last) in_order &= better(*(last - 1), *last);
+    for (; last != end && last->objectness == first->objectness; ++last) in_order &= better(*(last - 1), *last);
     if (!in_order) std::sort(first, last, better);
     first = last;
   }
+}
+
+using Lists = std::vector<std::vector<ScoredBox>>;
+
+/// Objectness that divides the boxes of sorted lists into parts of about the same size, best first.
+std::vector<float> cutsBetween(const Lists& lists, std::size_t boxes, int parts) {
+  const std::size_t stride = std::max<std::size_t>(1, boxes / (64 * static_cast<std::size_t>(parts)));
+  std::vector<float> samples;
+  for (const auto& list : lists) {
+    for (std::size_t i = 0; i < list.size(); i += stride) samples.push_back(list[i].objectness);
+  }
+  std::sort(samples.begin(), samples.end(), std::greater<float>());
+  std::vector<float> cuts;
+  for (int part = 1; part < parts; ++part) cuts.push_back(samples[part * samples.size() / parts]);
+  return cuts;
+}
+
+}  // namespace
+
+void sortBestFirst(std::vector<ScoredBox>& boxes) {
+  std::vector<Ranked> entries(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) entries[i] = {rankOf(boxes[i].objectness), &boxes[i]};
+  std::vector<ScoredBox> sorted(boxes.size());
+  writeBestFirst(entries, sorted.data());
   boxes.swap(sorted);
+}
+
+std::vector<ScoredBox> mergeBestFirst(const std::vector<std::vector<ScoredBox>>& lists, int threads) {
+  constexpr std::size_t kPart = 8192;
+  std::size_t boxes = 0;
+  for (const auto& list : lists) boxes += list.size();
+  const int parts = static_cast<int>(boxes / kPart) + 1;
+  const std::vector<float> cuts = cutsBetween(lists, boxes, parts);
+  // Per part and list: the first box of the part; then the end of all.
+  std::vector<std::vector<std::size_t>> firsts(parts + 1);
+  std::vector<std::size_t> places(parts + 1, 0);
+  for (int part = 0; part <= parts; ++part) {
+    for (const auto& list : lists) {
+      const auto is_before = [&](const ScoredBox& box) { return part == parts || box.objectness > cuts[part - 1]; };
+      const auto first = part == 0 ? list.begin() : std::partition_point(list.begin(), list.end(), is_before);
+      firsts[part].push_back(first - list.begin());
+      places[part] += firsts[part].back();
+    }
+  }
+  std::vector<ScoredBox> merged(boxes);
+  parallelFor(parts, threads, [&](int part) {
+    std::vector<Ranked> entries;
+    entries.reserve(places[part + 1] - places[part]);
+    for (std::size_t l = 0; l < lists.size(); ++l) {
+      for (std::size_t i = firsts[part][l]; i < firsts[part + 1][l]; ++i) {
+        entries.push_back({rankOf(lists[l][i].objectness), &lists[l][i]});
+      }
+    }
+    writeBestFirst(entries, merged.data() + places[part]);
+  });
+  return merged;
 }
 
 }  // namespace objectness

@@ -63,24 +63,29 @@ class Annealer {
     return flips;
   }
 
-  double apply(const std::vector<int>& flips) {
+  /// Does the flips if the change of cost that they would make is accepted. The last one is done only then.
+  template <class Accept>
+  bool flipIf(const std::vector<int>& flips, Accept&& accept) {
+    const double before = cost_.cost();
+    std::vector<int> done(flips.begin(), flips.end() - 1);
     double delta = 0;
-    for (const int i : flips) delta += cost_.flip(i);
-    return delta;
+    for (const int i : done) delta += cost_.flip(i);
+    delta += cost_.flipDelta(flips.back());
+    const bool accepted = accept(delta);
+    if (accepted) {
+      cost_.flip(flips.back());
+    } else if (!done.empty()) {
+      cost_.undo(done, before);
+    }
+    return accepted;
   }
 
   /// Does the flips if the temperature lets them pass.
-  bool attempt(const std::vector<int>& flips, double temperature) {
-    const double before = cost_.cost();
-    const double delta = flips.size() == 1 ? cost_.flipDelta(flips[0]) : apply(flips);
-    const bool accepted = delta <= 0 || (temperature > 0 && random_.unit() < std::exp(-delta / temperature));
-    if (flips.size() == 1) {
-      if (accepted) cost_.flip(flips[0]);
-    } else if (!accepted) {
-      cost_.undo(flips, before);
-    }
+  void attempt(const std::vector<int>& flips, double temperature) {
+    const bool accepted = flipIf(flips, [&](double delta) {
+      return delta <= 0 || (temperature > 0 && random_.unit() < std::exp(-delta / temperature));
+    });
     if (accepted) remember();
-    return accepted;
   }
 
   void remember() {
@@ -90,14 +95,7 @@ class Annealer {
 
   /// Does the flips if they gain.
   bool improve(const std::vector<int>& flips) {
-    const double before = cost_.cost();
-    const double delta = flips.size() == 1 ? cost_.flipDelta(flips[0]) : apply(flips);
-    const bool gains = delta < -kRounding;
-    if (flips.size() == 1) {
-      if (gains) cost_.flip(flips[0]);
-    } else if (!gains) {
-      cost_.undo(flips, before);
-    }
+    const bool gains = flipIf(flips, [](double delta) { return delta < -kRounding; });
     if (gains) cost_.changed(flips);
     return gains;
   }

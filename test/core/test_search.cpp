@@ -160,6 +160,33 @@ TEST(Search, SortingBestFirstIsTheOrderOfBetter) {
   }
 }
 
+TEST(Search, MergedListsAreInTheOrderOfBetter) {
+  for (const int size : {0, 7, 300, 4000}) {
+    Dice dice(size);
+    std::vector<std::vector<ScoredBox>> lists(18);
+    std::vector<ScoredBox> expected;
+    for (int angle = 0; angle < 18; ++angle) {
+      lists[angle].resize(dice.below(3) == 0 ? 0 : dice.below(2 * size + 1));
+      for (auto& scored : lists[angle]) {
+        // Half of them have one value: more than a thread takes at once.
+        scored.objectness = dice.below(2) ? 0.875f : static_cast<float>(dice.between(-1, 1));
+        scored.box = {angle, dice.below(90), 95, dice.below(90), 95, dice.below(40)};
+      }
+      expected.insert(expected.end(), lists[angle].begin(), lists[angle].end());
+      std::sort(lists[angle].begin(), lists[angle].end(), better);
+    }
+    std::sort(expected.begin(), expected.end(), better);
+    for (const int threads : {1, 2, 5}) {
+      const std::vector<ScoredBox> merged = mergeBestFirst(lists, threads);
+      ASSERT_EQ(merged.size(), expected.size());
+      for (std::size_t i = 0; i < merged.size(); ++i) {
+        ASSERT_EQ(merged[i].objectness, expected[i].objectness) << size << " boxes a list, place " << i;
+        ASSERT_EQ(merged[i].box, expected[i].box) << size << " boxes a list, place " << i;
+      }
+    }
+  }
+}
+
 TEST(Search, AGridSmallerThanTheSmallestBoxHasNone) {
   SearchTask task = smallTask();
   task.sampling.min_size = 20;

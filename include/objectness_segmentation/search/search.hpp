@@ -46,4 +46,7 @@ SearchResult searchBounded(const CueVolumes& volumes, int angle, const SearchTas
 /// Puts boxes in the order of better().
 void sortBestFirst(std::vector<ScoredBox>& boxes);
 
+/// The boxes of lists in that order, in that order, on up to `threads` threads (0: one per processor).
+std::vector<ScoredBox> mergeBestFirst(const std::vector<std::vector<ScoredBox>>& lists, int threads);
+
 }  // namespace objectness

@@ -87,7 +87,8 @@ Result<PcdHeader> readHeader(std::ifstream& file) {
     std::istringstream words(line);
     std::string key, word;
     words >> key;
-    if (key.empty() || key[0] == '#') continue;
+    if (line.empty() || key[0] == '#') continue;
+    if (key.empty()) return Result<PcdHeader>::error(bad("is damaged: its header has a line of blanks"));  // PCL ends there
     if (!header.value.entries.empty() && !std::all_of(line.begin(), line.end(), isText)) {
       return Result<PcdHeader>::error(bad("is damaged: its header is no text"));
     }

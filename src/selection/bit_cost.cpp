@@ -25,6 +25,11 @@ BitCost::BitCost(const BitProblem& problem, const SelectionConfig& config)
 }
 
 double BitCost::flipDelta(int i) const {
+  if (last_.box != i) last_ = {i, countDelta(i)};
+  return last_.delta;
+}
+
+double BitCost::countDelta(int i) const {
   const BitHypothesis& h = problem_.hypotheses[i];
   const int group_words = problem_.layout.group_words;
   const bool leaves = active_[i];
@@ -66,6 +71,7 @@ void BitCost::adjust(const PointBits& set, bool add, int most, Planes& planes) {
 }
 
 void BitCost::toggle(int i) {
+  last_.box = -1;
   const BitHypothesis& h = problem_.hypotheses[i];
   const bool add = !active_[i];
   const auto at = std::lower_bound(actives_.begin(), actives_.end(), i);

@@ -38,6 +38,7 @@ class BitCost {
     std::vector<std::uint64_t> bits;
     int count = 1;
   };
+  double countDelta(int i) const;
   void toggle(int i);
   void adjust(const PointBits& set, bool add, int most, Planes& planes);
   bool share(int i, int j) const;
@@ -54,6 +55,11 @@ class BitCost {
   std::vector<bool> active_;
   std::vector<int> actives_;  ///< ascending
   double cost_ = 0;
+  struct Counted {
+    int box = -1;  ///< -1: the boxes are not those any more that it was counted for
+    double delta = 0;
+  };
+  mutable Counted last_;  ///< what is asked first of a box is often asked of it again
   std::vector<std::uint64_t> changes_;  ///< the groups that each change touched
   struct Settled {
     std::size_t changes = 0;  ///< how many there were

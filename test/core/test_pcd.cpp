@@ -112,6 +112,12 @@ TEST_F(PcdFile, BadFiles) {
   for (const char* more : {"FIELDS x", "\nDATA", "# a comment\n \nSIZES 8"}) {  // PCL takes them for its header
     expectError(good + more + data(false), "its header goes on after its DATA");
   }
+  for (const char* blanks : {" ", "\r", "\v"}) {  // PCL ends its header there, an empty line it passes over
+    const std::string line = std::string(blanks) + "\n";
+    expectError(line + good + data(false), "a line of blanks");
+    expectError(header("WIDTH 32\n" + line + "HEIGHT 24", "768", "binary") + data(false), "is damaged");
+  }
+  EXPECT_TRUE(load("\n" + good + data(false)).ok());
   expectError(header("WIDTH 8192\nHEIGHT 8192", "67108864", "binary") + data(false), "is cut off");
   EXPECT_NE(loadPcd(folder_ / "missing.pcd").status.message.find("no such file"), std::string::npos);
 }

@@ -137,7 +137,7 @@ void searchBoxes(const Frame& frame, const Config& config, const Stages& stage, 
   // Sec. 4: a segment is what falls within a selected box.
   result.segments = stage("segments", [&] {
     return cutSegments(frame, result.table.T_table_camera, points, chosenBoxes(candidates, selection, search),
-                       config.filter.box_margin_m, config.segments);
+                       config.filter.box_margin_m, config.segments, config.runtime.threads);
   });
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "objectness_segmentation/common/parallel.hpp"
 #include "objectness_segmentation/segments/geodesic_assignment.hpp"
 
 namespace objectness {
@@ -61,15 +62,18 @@ OrientedBox orientedBox(const Box& box, const Grid& grid, const Eigen::Isometry3
 }
 
 std::vector<Segment> cutSegments(const Frame& frame, const Eigen::Isometry3d& T_table_camera, const CuePoints& points,
-                                 const std::vector<SelectedBox>& boxes, double margin_m, const SegmentsConfig& config) {
+                                 const std::vector<SelectedBox>& boxes, double margin_m, const SegmentsConfig& config,
+                                 int threads) {
   const std::size_t count = points.points.size();
   std::vector<std::vector<int>> in_box(boxes.size());
   cv::Mat_<int> owner(frame.height(), frame.width(), -1);
   const auto ownerOf = [&](std::size_t i) -> int& {
     return owner(points.pixels[i] / frame.width(), points.pixels[i] % frame.width());
   };
-  for (std::size_t k = 0; k < boxes.size(); ++k) {
+  parallelFor(static_cast<int>(boxes.size()), threads, [&](int k) {
     in_box[k] = pointsIn(boxes[k], points.points, margin_m / boxes[k].grid.voxel_m);
+  });
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
     for (const int i : in_box[k]) {
       if (ownerOf(i) < 0) ownerOf(i) = static_cast<int>(k);
     }
@@ -82,7 +86,7 @@ std::vector<Segment> cutSegments(const Frame& frame, const Eigen::Isometry3d& T_
       if (label > 0) ownerOf(i) = followed[label];
       if (label == 0) open(points.pixels[i] / frame.width(), points.pixels[i] % frame.width()) = 255;
     }
-    assignGeodesic(frame, open, {config.max_step_m, config.max_reach_m}, owner);
+    assignGeodesic(frame, open, {config.max_step_m, config.max_reach_m}, owner, threads);
   }
 
   std::vector<Segment> segments(boxes.size());

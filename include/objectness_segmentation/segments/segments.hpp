@@ -51,7 +51,8 @@ OrientedBox orientedBox(const Box& box, const Grid& grid, const Eigen::Isometry3
 /// goes to the one of highest objectness). boxes: best first; margin_m: as in FilterConfig::box_margin_m. Best segment
 /// first.
 std::vector<Segment> cutSegments(const Frame& frame, const Eigen::Isometry3d& T_table_camera, const CuePoints& points,
-                                 const std::vector<SelectedBox>& boxes, double margin_m, const SegmentsConfig& config);
+                                 const std::vector<SelectedBox>& boxes, double margin_m, const SegmentsConfig& config,
+                                 int threads = 1);
 
 /// What segments[0] is called in label images, clouds, messages and pictures; 1 is the table, 0 nothing.
 constexpr int kFirstObjectLabel = 2;

@@ -192,12 +192,12 @@ void groupPieces(const Frame& frame, const Config& config, const LearnedObjectne
 
   std::vector<Link> links;
   const std::vector<GroupHypothesis> groups = stage("groups", [&] {
-    links = model ? judgePairs(graph.pairs, graph.borders, *model)
+    links = model ? judgePairs(graph.pairs, graph.borders, *model, config.runtime.threads)
                   : judgePairsByRule(graph.pairs, graph.pieces, graph.borders);
     std::vector<GroupHypothesis> proposed =
         proposeObjects(frame, result.table, result.edges, graph, links, config.grouping, config.runtime.threads);
     if (model) {
-      judgeGroups(*model, proposed);
+      judgeGroups(*model, proposed, config.runtime.threads);
     } else {
       judgeGroupsByHand(config.objectness, config.volume.voxel_m,
                         config.grouping.least_objectness - config.filter.threshold, proposed);

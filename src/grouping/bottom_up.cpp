@@ -29,8 +29,9 @@ std::vector<GroupHypothesis> proposeObjects(const Frame& frame, const Table& tab
   return described;
 }
 
-void judgeGroups(const LearnedObjectness& model, std::vector<GroupHypothesis>& groups) {
-  for (GroupHypothesis& group : groups) group.objectness = model.group.predict(cueValues(group.cues));
+void judgeGroups(const LearnedObjectness& model, std::vector<GroupHypothesis>& groups, int threads) {
+  parallelFor(static_cast<int>(groups.size()), threads,
+              [&](int i) { groups[i].objectness = model.group.predict(cueValues(groups[i].cues)); });
 }
 
 }  // namespace objectness

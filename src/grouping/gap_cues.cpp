@@ -5,6 +5,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "objectness_segmentation/common/parallel.hpp"
+
 namespace objectness {
 namespace {
 
@@ -77,10 +79,10 @@ Counts lookAlong(const Frame& frame, const cv::Mat_<uchar>& on_table, const Eige
 
 }  // namespace
 
-std::vector<std::vector<int>> outlinePixels(const Pieces& pieces, int most) {
+std::vector<std::vector<int>> outlinePixels(const Pieces& pieces, int most, int threads) {
   std::vector<std::vector<int>> outlines(pieces.count());
   const int width = pieces.label.cols, height = pieces.label.rows;
-  for (int k = 0; k < pieces.count(); ++k) {
+  parallelFor(pieces.count(), threads, [&](int k) {
     std::vector<int> all;
     for (const int pixel : pieces.pieces[k].pixels) {
       const int u = pixel % width, v = pixel / width;
@@ -91,7 +93,7 @@ std::vector<std::vector<int>> outlinePixels(const Pieces& pieces, int most) {
     }
     const std::size_t kept = std::min<std::size_t>(most, all.size());
     for (std::size_t i = 0; i < kept; ++i) outlines[k].push_back(all[i * all.size() / kept]);
-  }
+  });
   return outlines;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 #include "group_parts.hpp"
 #include "objectness_segmentation/common/parallel.hpp"
@@ -37,12 +38,19 @@ OrientedBox boxOf(const GroupParts& parts, const std::vector<int>& group) {
 
 }  // namespace
 
-GroupParts::GroupParts(const GroupEvidence& given) : evidence(given) {
+GroupParts::GroupParts(const GroupEvidence& given, int threads) : evidence(given) {
   const auto& pieces = evidence.pieces.pieces;
+  const int count = static_cast<int>(pieces.size());
+  const auto isEdge = [&](int pixel) { return evidence.edges.kinds(pixel) != 0; };
+  std::vector<std::size_t> edges_of(pieces.size());
+  parallelFor(count, threads, [&](int k) {
+    edges_of[k] = std::count_if(pieces[k].pixels.begin(), pieces[k].pixels.end(), isEdge);
+  });
+  // How many of the edges lie in the pieces before each.
   std::size_t pixels = 0, edge_pixels = 0;
-  for (const Piece& piece : pieces) {
-    pixels += piece.pixels.size();
-    for (const int pixel : piece.pixels) edge_pixels += evidence.edges.kinds(pixel) != 0;
+  for (int k = 0; k < count; ++k) {
+    pixels += pieces[k].pixels.size();
+    edge_pixels += std::exchange(edges_of[k], edge_pixels);
   }
   const std::size_t stride = 1 + pixels / kPoints, stride_of_edges = 1 + edge_pixels / kEdges;
   edge_stride = static_cast<float>(stride_of_edges);
@@ -51,32 +59,32 @@ GroupParts::GroupParts(const GroupEvidence& given) : evidence(given) {
   eye = T_table_camera.translation();
   points.resize(pieces.size());
   edges.resize(pieces.size());
-  std::size_t edge = 0;
-  for (std::size_t k = 0; k < pieces.size(); ++k) {
+  points_ball.resize(pieces.size());
+  edges_ball.resize(pieces.size());
+  hull.resize(pieces.size());
+  const auto outlines = outlinePixels(evidence.pieces, kOutlinePixels, threads);
+  const int width = evidence.frame.width();
+  parallelFor(count, threads, [&](int k) {
+    std::size_t edge = edges_of[k];
     for (std::size_t i = 0; i < pieces[k].pixels.size(); ++i) {
       const int pixel = pieces[k].pixels[i];
-      const bool is_edge = evidence.edges.kinds(pixel) && edge++ % stride_of_edges == 0;
+      const bool is_edge = isEdge(pixel) && edge++ % stride_of_edges == 0;
       if (i % stride != 0 && !is_edge) continue;
       const Eigen::Vector3f p = T_table_camera * evidence.frame.points[pixel];
       if (i % stride == 0) points[k].push_back(p);
       if (is_edge) edges[k].push_back(p);
     }
-  }
-  for (const auto& members : points) points_ball.push_back(ballAround(members));
-  for (const auto& members : edges) edges_ball.push_back(ballAround(members));
-  const auto outlines = outlinePixels(evidence.pieces, kOutlinePixels);
-  const int width = evidence.frame.width();
-  hull.resize(pieces.size());
-  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    points_ball[k] = ballAround(points[k]);
+    edges_ball[k] = ballAround(edges[k]);
     std::vector<cv::Point> outline;
     for (const int pixel : outlines[k]) outline.emplace_back(pixel % width, pixel / width);
     if (!outline.empty()) cv::convexHull(outline, hull[k]);
-  }
+  });
 }
 
 std::vector<GroupHypothesis> describeGroups(const GroupEvidence& evidence, const std::vector<std::vector<int>>& groups,
                                             int threads) {
-  const GroupParts parts(evidence);
+  const GroupParts parts(evidence, threads);
   std::vector<GroupHypothesis> described(groups.size());
   parallelFor(static_cast<int>(groups.size()), threads, [&](int i) {
     Members members{groups[i], std::vector<char>(evidence.pieces.count(), 0)};

@@ -10,7 +10,7 @@ namespace objectness {
 
 /// What is looked up again and again while groups are described: prepared once a frame.
 struct GroupParts {
-  GroupParts(const GroupEvidence& evidence);
+  GroupParts(const GroupEvidence& evidence, int threads);
 
   const GroupEvidence& evidence;
   // Per piece; points in the table frame, a sample of all.

@@ -26,7 +26,7 @@ std::vector<PairEvidence> findPairEvidence(const Frame& frame, const Normals& no
                                            const ObjectPoints& object_points, const Superpixels& superpixels,
                                            const Pieces& pieces, const Borders& borders, const LinksConfig& config,
                                            int threads) {
-  const std::vector<std::vector<int>> outlines = outlinePixels(pieces, kOutlinePixels);
+  const std::vector<std::vector<int>> outlines = outlinePixels(pieces, kOutlinePixels, threads);
   const std::vector<Ball> balls = ballsAround(frame, outlines);
   const auto evidenceOf = [&](int first, int second) -> std::optional<PairEvidence> {
     const auto border = borders.pairs.find({first, second});
@@ -51,18 +51,18 @@ std::vector<PairEvidence> findPairEvidence(const Frame& frame, const Normals& no
 }
 
 std::vector<Link> judgePairs(const std::vector<PairEvidence>& evidence, const Borders& borders,
-                             const LearnedObjectness& model) {
-  std::vector<Link> links;
-  links.reserve(evidence.size());
-  for (const PairEvidence& pair : evidence) {
+                             const LearnedObjectness& model, int threads) {
+  std::vector<Link> links(evidence.size());
+  parallelFor(static_cast<int>(evidence.size()), threads, [&](int i) {
+    const PairEvidence& pair = evidence[i];
     if (const auto* contact = std::get_if<ContactCues>(&pair.cues)) {
       const float length = borders.pairs.at({pair.first, pair.second}).contact;
-      links.push_back({pair.first, pair.second, true, model.contact.predict(cueValues(*contact)),
-                       contact->angle_median_deg, length});
+      links[i] = {pair.first, pair.second, true, model.contact.predict(cueValues(*contact)), contact->angle_median_deg,
+                  length};
     } else {
-      links.push_back({pair.first, pair.second, false, model.gap.predict(cueValues(std::get<GapCues>(pair.cues)))});
+      links[i] = {pair.first, pair.second, false, model.gap.predict(cueValues(std::get<GapCues>(pair.cues)))};
     }
-  }
+  });
   return links;
 }
 

@@ -22,6 +22,6 @@ std::vector<GroupHypothesis> proposeObjects(const Frame& frame, const Table& tab
                                             const GroupingConfig& config, int threads);
 
 /// Sets the objectness of each group.
-void judgeGroups(const LearnedObjectness& model, std::vector<GroupHypothesis>& groups);
+void judgeGroups(const LearnedObjectness& model, std::vector<GroupHypothesis>& groups, int threads = 1);
 
 }  // namespace objectness

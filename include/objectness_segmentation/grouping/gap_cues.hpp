@@ -37,7 +37,7 @@ struct GapCues {
 };
 
 /// Points of each piece's outline, at most so many of each, evenly along its pixels.
-std::vector<std::vector<int>> outlinePixels(const Pieces& pieces, int most);
+std::vector<std::vector<int>> outlinePixels(const Pieces& pieces, int most, int threads = 1);
 
 /// None when the pieces are farther apart than max_distance_m.
 std::optional<GapCues> findGapCues(const Frame& frame, const Table& table, const ObjectPoints& object_points,

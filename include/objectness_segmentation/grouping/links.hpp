@@ -51,6 +51,6 @@ std::vector<PairEvidence> findPairEvidence(const Frame& frame, const Normals& no
 
 /// What a model makes of the evidence.
 std::vector<Link> judgePairs(const std::vector<PairEvidence>& evidence, const Borders& borders,
-                             const LearnedObjectness& model);
+                             const LearnedObjectness& model, int threads = 1);
 
 }  // namespace objectness

@@ -40,34 +40,33 @@ std::vector<Eigen::Vector3f> inBitOrder(std::vector<Eigen::Vector3f> points) {
   return sorted;
 }
 
-void BoxPoints::Rows::fill(const std::vector<double>& coordinates, int count, double shift, std::size_t words_a_row) {
+void BoxPoints::Rows::fill(const std::vector<double>& coordinates, int count, double shift, const PointLayout& layout) {
   last = count;
-  words = words_a_row;
+  words = layout.words();
   bits.assign((count + 1) * words, 0);
+  // Of each group the first rows that have one, and all, of its points below them.
+  std::vector<int> one(layout.groups, count + 1), all(layout.groups, 0);
   for (std::size_t i = 0; i < coordinates.size(); ++i) {
     // The first face that lies above the point; all later rows get it by the union below.
-    const double first = std::max(0.0, std::floor(coordinates[i] - shift) + 1);
-    if (first <= count) bits[static_cast<std::size_t>(first) * words + i / kBits] |= std::uint64_t{1} << (i % kBits);
+    const double place = coordinates[i] - shift;
+    const int first = place < 0 ? 0 : place < count ? static_cast<int>(place) + 1 : count + 1;
+    if (first <= count) bits[first * words + i / kBits] |= std::uint64_t{1} << (i % kBits);
+    const std::size_t group = i / kBits / layout.group_words;
+    one[group] = std::min(one[group], first);
+    all[group] = std::max(all[group], first);
   }
-  for (std::size_t word = words; word < bits.size(); ++word) bits[word] |= bits[word - words];
-}
-
-BoxPoints::RowGroups BoxPoints::groupsOf(const Rows& rows) const {
-  RowGroups groups;
-  for (int row = 0; row <= rows.last; ++row) {
-    std::uint64_t before = 0, after = 0;
-    const std::uint64_t* bits = rows.below(row);
-    for (int word = 0; word < layout_.words(); ++word) {
-      const int left = layout_.points - word * kBits;
-      const std::uint64_t used = left >= kBits ? ~std::uint64_t{0} : left <= 0 ? 0 : (std::uint64_t{1} << left) - 1;
-      const std::uint64_t group = std::uint64_t{1} << (word / layout_.group_words);
-      if (bits[word] != 0) before |= group;
-      if ((~bits[word] & used) != 0) after |= group;
-    }
-    groups.before.push_back(before);
-    groups.after.push_back(after);
+  for (int row = 1; row <= count; ++row) {
+    const std::uint64_t* __restrict above = &bits[(row - 1) * words];
+    std::uint64_t* __restrict here = &bits[row * words];
+    for (std::size_t word = 0; word < words; ++word) here[word] |= above[word];
   }
-  return groups;
+  before.assign(count + 1, 0);
+  after.assign(count + 1, 0);
+  for (int group = 0; group < layout.groups; ++group) {
+    const std::uint64_t bit = std::uint64_t{1} << group;
+    for (int row = one[group]; row <= count; ++row) before[row] |= bit;
+    for (int row = 0; row < std::min(all[group], count + 1); ++row) after[row] |= bit;
+  }
 }
 
 BoxPoints::BoxPoints(const std::vector<Eigen::Vector3f>& points, const PointLayout& layout, const Grid& grid,
@@ -82,17 +81,11 @@ BoxPoints::BoxPoints(const std::vector<Eigen::Vector3f>& points, const PointLayo
     z.push_back(q.z());
   }
   const double margin = margin_m / grid.voxel_m;
-  const std::size_t words = layout.words();
-  x_low_.fill(x, grid.nx, -margin, words);
-  x_high_.fill(x, grid.nx, margin, words);
-  y_low_.fill(y, grid.ny, -margin, words);
-  y_high_.fill(y, grid.ny, margin, words);
-  z_high_.fill(z, grid.nz, margin, words);
-  x_low_groups_ = groupsOf(x_low_);
-  x_high_groups_ = groupsOf(x_high_);
-  y_low_groups_ = groupsOf(y_low_);
-  y_high_groups_ = groupsOf(y_high_);
-  z_high_groups_ = groupsOf(z_high_);
+  x_low_.fill(x, grid.nx, -margin, layout);
+  x_high_.fill(x, grid.nx, margin, layout);
+  y_low_.fill(y, grid.ny, -margin, layout);
+  y_high_.fill(y, grid.ny, margin, layout);
+  z_high_.fill(z, grid.nz, margin, layout);
 }
 
 int BoxPoints::inside(const Box& box, int grow_xy, int grow_z, PointBits& points) const {
@@ -100,8 +93,7 @@ int BoxPoints::inside(const Box& box, int grow_xy, int grow_z, PointBits& points
   const int x0 = row(x_low_, box.x0 - grow_xy), x1 = row(x_high_, box.x1 + grow_xy);
   const int y0 = row(y_low_, box.y0 - grow_xy), y1 = row(y_high_, box.y1 + grow_xy);
   const int z1 = row(z_high_, box.height + grow_z);
-  const std::uint64_t groups = x_low_groups_.after[x0] & x_high_groups_.before[x1] & y_low_groups_.after[y0] &
-                               y_high_groups_.before[y1] & z_high_groups_.before[z1];
+  const std::uint64_t groups = x_low_.after[x0] & x_high_.before[x1] & y_low_.after[y0] & y_high_.before[y1] & z_high_.before[z1];
   return intersectRows(x_high_.below(x1), x_low_.below(x0), y_high_.below(y1), y_low_.below(y0), z_high_.below(z1),
                        groups, layout_.group_words, points.words.data(), points.groups);
 }

@@ -30,18 +30,14 @@ class BoxPoints {
     int last = 0;
     std::size_t words = 0;
     std::vector<std::uint64_t> bits;
-    void fill(const std::vector<double>& coordinates, int count, double shift, std::size_t words_a_row);
+    std::vector<std::uint64_t> before, after;  ///< per row the groups with a point below it, and with one not below it
+
+    void fill(const std::vector<double>& coordinates, int count, double shift, const PointLayout& layout);
     const std::uint64_t* below(int face) const { return &bits[std::clamp(face, 0, last) * words]; }
   };
-  /// Which groups have a point in a row: bit g.
-  struct RowGroups {
-    std::vector<std::uint64_t> before, after;  ///< per row: with a point below it, with a point not below it
-  };
-  RowGroups groupsOf(const Rows& rows) const;
 
   PointLayout layout_;
   Rows x_low_, x_high_, y_low_, y_high_, z_high_;
-  RowGroups x_low_groups_, x_high_groups_, y_low_groups_, y_high_groups_, z_high_groups_;
 };
 
 }  // namespace objectness

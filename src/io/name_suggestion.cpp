@@ -33,6 +33,9 @@ std::string didYouMean(const std::string& name, const std::vector<std::string>& 
   for (const std::string& candidate : candidates) {
     const std::size_t dot = candidate.rfind('.');
     const bool lacks_group = dot != std::string::npos && candidate.compare(dot + 1, std::string::npos, name) == 0;
+    // No nearer than their lengths differ.
+    const std::size_t differ = std::max(name.size(), candidate.size()) - std::min(name.size(), candidate.size());
+    if (!lacks_group && differ >= least) continue;
     const std::size_t distance = lacks_group ? 0 : editDistance(name, candidate);
     if (distance < least) {
       least = distance;

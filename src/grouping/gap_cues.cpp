@@ -38,8 +38,8 @@ std::vector<Segment3> nearestSegments(const Frame& frame, const std::vector<int>
   all.reserve(first.size());
   for (const int a : first) {
     const Eigen::Vector3f& p = frame.points[a];
-    distances = (others.col(0) - p.x()).square() +
-                ((others.col(1) - p.y()).square() + (others.col(2) - p.z()).square());
+    distances =
+        (others.col(0) - p.x()).square() + ((others.col(1) - p.y()).square() + (others.col(2) - p.z()).square());
     const float least = distances.minCoeff();
     const auto nearest = std::find(distances.data(), distances.data() + distances.size(), least) - distances.data();
     all.push_back({least, a, second[nearest]});

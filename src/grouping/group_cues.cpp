@@ -43,9 +43,8 @@ GroupParts::GroupParts(const GroupEvidence& given, int threads) : evidence(given
   const int count = static_cast<int>(pieces.size());
   const auto isEdge = [&](int pixel) { return evidence.edges.kinds(pixel) != 0; };
   std::vector<std::size_t> edges_of(pieces.size());
-  parallelFor(count, threads, [&](int k) {
-    edges_of[k] = std::count_if(pieces[k].pixels.begin(), pieces[k].pixels.end(), isEdge);
-  });
+  parallelFor(count, threads,
+              [&](int k) { edges_of[k] = std::count_if(pieces[k].pixels.begin(), pieces[k].pixels.end(), isEdge); });
   // How many of the edges lie in the pieces before each.
   std::size_t pixels = 0, edge_pixels = 0;
   for (int k = 0; k < count; ++k) {

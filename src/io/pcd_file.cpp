@@ -74,7 +74,7 @@ Result<RawCloud> toRawCloud(const pcl::PCLPointCloud2& cloud) {
 }  // namespace
 
 Result<RawCloud> loadPcd(const std::string& path) {
-  const Result<PcdSize> header = checkPcdHeader(path);
+  const Result<PcdLayout> header = checkPcdHeader(path);
   if (!header.ok()) return Result<RawCloud>::error(header.status);
   const QuietPcl quiet;
   try {
@@ -82,7 +82,17 @@ Result<RawCloud> loadPcd(const std::string& path) {
     Eigen::Vector4f origin;
     Eigen::Quaternionf orientation;
     int version = 0;
-    const bool read = pcl::PCDReader().read(path, cloud, origin, orientation, version) >= 0;
+    int kind = 0;
+    unsigned data_offset = 0;
+    pcl::PCDReader reader;
+    // What was checked has to be what PCL goes by: where it ends a header too early it reads through null pointers.
+    const bool agrees = reader.readHeader(path, cloud, origin, orientation, version, kind, data_offset) >= 0 &&
+                        data_offset == header.value.data_offset;
+    if (!agrees) {
+      return Result<RawCloud>::error(StatusCode::kBadInput,
+                                     "is damaged: PCL reads its header otherwise, as when there is a line of blanks");
+    }
+    const bool read = reader.read(path, cloud, origin, orientation, version) >= 0;
     if (read && cloud.width == header.value.width && cloud.height == header.value.height) return toRawCloud(cloud);
   } catch (const std::exception&) {
     // The reason is in PCL's terms, of no help to a user.

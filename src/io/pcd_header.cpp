@@ -87,8 +87,7 @@ Result<PcdHeader> readHeader(std::ifstream& file) {
     std::istringstream words(line);
     std::string key, word;
     words >> key;
-    if (line.empty() || key[0] == '#') continue;
-    if (key.empty()) return Result<PcdHeader>::error(bad("is damaged: its header has a line of blanks"));  // PCL ends there
+    if (key.empty() || key[0] == '#') continue;
     if (!header.value.entries.empty() && !std::all_of(line.begin(), line.end(), isText)) {
       return Result<PcdHeader>::error(bad("is damaged: its header is no text"));
     }
@@ -145,8 +144,8 @@ Status checkDataSize(const PcdHeader& header, std::uint64_t points, std::uint64_
 
 }  // namespace
 
-Result<PcdSize> checkPcdHeader(const std::string& path) {
-  const auto unusable = [](const std::string& message) { return Result<PcdSize>::error(bad(message)); };
+Result<PcdLayout> checkPcdHeader(const std::string& path) {
+  const auto unusable = [](const std::string& message) { return Result<PcdLayout>::error(bad(message)); };
   std::error_code error;
   const auto type = std::filesystem::status(path, error);
   if (!std::filesystem::exists(type)) return unusable("there is no such file");
@@ -157,7 +156,7 @@ Result<PcdSize> checkPcdHeader(const std::string& path) {
   if (size == 0) return unusable("is empty");
 
   const Result<PcdHeader> read = readHeader(file);
-  if (!read.ok()) return Result<PcdSize>::error(read.status);
+  if (!read.ok()) return Result<PcdLayout>::error(read.status);
   const PcdHeader& header = read.value;
   for (const char* key : {"FIELDS", "SIZE", "TYPE", "WIDTH", "HEIGHT"}) {
     if (!header.entries.count(key)) return unusable(std::string("has no ") + key + " line in its header");
@@ -186,8 +185,8 @@ Result<PcdSize> checkPcdHeader(const std::string& path) {
   if (point_bytes == 0 || point_bytes > kMaxPointBytes)
     return unusable("has fields of " + std::to_string(point_bytes) + " bytes a point");
   const Status data = checkDataSize(header, points, point_bytes, size - header.data_offset, file);
-  if (!data.ok()) return Result<PcdSize>::error(data);
-  return {Status{}, {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)}};
+  if (!data.ok()) return Result<PcdLayout>::error(data);
+  return {Status{}, {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), header.data_offset}};
 }
 
 }  // namespace objectness

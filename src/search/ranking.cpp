@@ -38,8 +38,8 @@ void radixSort(std::vector<Ranked>& entries) {
   }
 }
 
-/// Numbers are sorted instead of boxes, which are moved only once. entries: in the order of enumeration where objectness
-/// is the same, mostly.
+/// Numbers are sorted instead of boxes, which are moved only once. entries: in the order of enumeration where
+/// objectness is the same, mostly.
 void writeBestFirst(std::vector<Ranked>& entries, ScoredBox* sorted) {
   radixSort(entries);
   ScoredBox* end = sorted;
@@ -78,7 +78,7 @@ void sortBestFirst(std::vector<ScoredBox>& boxes) {
   boxes.swap(sorted);
 }
 
-std::vector<ScoredBox> mergeBestFirst(const std::vector<std::vector<ScoredBox>>& lists, int threads) {
+std::vector<ScoredBox> mergeBestFirst(const Lists& lists, int threads) {
   constexpr std::size_t kPart = 8192;
   std::size_t boxes = 0;
   for (const auto& list : lists) boxes += list.size();
@@ -89,8 +89,10 @@ std::vector<ScoredBox> mergeBestFirst(const std::vector<std::vector<ScoredBox>>&
   std::vector<std::size_t> places(parts + 1, 0);
   for (int part = 0; part <= parts; ++part) {
     for (const auto& list : lists) {
-      const auto is_before = [&](const ScoredBox& box) { return part == parts || box.objectness > cuts[part - 1]; };
-      const auto first = part == 0 ? list.begin() : std::partition_point(list.begin(), list.end(), is_before);
+      const auto isBefore = [&](const ScoredBox& box) { return box.objectness > cuts[part - 1]; };
+      const auto first = part == 0       ? list.begin()
+                         : part == parts ? list.end()
+                                         : std::partition_point(list.begin(), list.end(), isBefore);
       firsts[part].push_back(first - list.begin());
       places[part] += firsts[part].back();
     }

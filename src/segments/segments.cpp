@@ -16,8 +16,7 @@ std::vector<int> pointsIn(const SelectedBox& selected, const std::vector<Eigen::
   const Box& b = selected.scored.box;
   const Grid& grid = selected.grid;
   // Most points lie nowhere near: a circle around the box tells.
-  const Eigen::Vector2f centre =
-      grid.toTable({0.5 * (b.x0 + b.x1), 0.5 * (b.y0 + b.y1), 0}).head<2>().cast<float>();
+  const Eigen::Vector2f centre = grid.toTable({0.5 * (b.x0 + b.x1), 0.5 * (b.y0 + b.y1), 0}).head<2>().cast<float>();
   const double half_diagonal = 0.5 * std::hypot(b.sizeX(), b.sizeY()) + std::sqrt(2.0) * margin_voxels;
   const float reach = static_cast<float>((half_diagonal + 0.1) * grid.voxel_m);
   std::vector<int> inside;
@@ -35,8 +34,7 @@ std::vector<int> pointsIn(const SelectedBox& selected, const std::vector<Eigen::
 
 /// For each superpixel the box that holds most of its points, -1 where no box holds enough. in_box: per box the points
 /// in it.
-std::vector<int> followedBoxes(const CuePoints& points, const std::vector<std::vector<int>>& in_box,
-                               double min_share) {
+std::vector<int> followedBoxes(const CuePoints& points, const std::vector<std::vector<int>>& in_box, double min_share) {
   std::vector<int> size(points.superpixels + 1, 0), best(points.superpixels + 1, -1),
       best_count(points.superpixels + 1, 0);
   for (const int label : points.labels) ++size[label];
@@ -70,9 +68,8 @@ std::vector<Segment> cutSegments(const Frame& frame, const Eigen::Isometry3d& T_
   const auto ownerOf = [&](std::size_t i) -> int& {
     return owner(points.pixels[i] / frame.width(), points.pixels[i] % frame.width());
   };
-  parallelFor(static_cast<int>(boxes.size()), threads, [&](int k) {
-    in_box[k] = pointsIn(boxes[k], points.points, margin_m / boxes[k].grid.voxel_m);
-  });
+  parallelFor(static_cast<int>(boxes.size()), threads,
+              [&](int k) { in_box[k] = pointsIn(boxes[k], points.points, margin_m / boxes[k].grid.voxel_m); });
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     for (const int i : in_box[k]) {
       if (ownerOf(i) < 0) ownerOf(i) = static_cast<int>(k);

@@ -19,8 +19,8 @@ BitCost::BitCost(const BitProblem& problem, const SelectionConfig& config)
   held_.bits.assign(words_, 0);
   beside_.bits.assign(words_, 0);
   for (const BitHypothesis& h : problem.hypotheses) {
-    points_.push_back(countCommon(h.inside.words.data(), h.inside.words.data(), h.inside.groups,
-                                  problem.layout.group_words));
+    points_.push_back(
+        countCommon(h.inside.words.data(), h.inside.words.data(), h.inside.groups, problem.layout.group_words));
   }
 }
 
@@ -33,8 +33,8 @@ double BitCost::countDelta(int i) const {
   const BitHypothesis& h = problem_.hypotheses[i];
   const int group_words = problem_.layout.group_words;
   const bool leaves = active_[i];
-  const HeldCounts in = countHeld(h.inside.words.data(), h.inside.groups, group_words, sets(), counters(beside_),
-                                  leaves ? 1 : 0);
+  const HeldCounts in =
+      countHeld(h.inside.words.data(), h.inside.groups, group_words, sets(), counters(beside_), leaves ? 1 : 0);
   const long more = points_[i] - in.none - in.one - in.two;
   const long around = countCommon(h.surroundings.words.data(), none_.data(), h.surroundings.groups, group_words);
   CostChange change;
@@ -55,7 +55,8 @@ double BitCost::countDelta(int i) const {
     const std::uint64_t groups = in.shared & other.groups;
     if (j == i || groups == 0) continue;
     const long shared = countCommon(h.inside.words.data(), other.words.data(), contested, groups, group_words);
-    if (shared != 0) change.objectness += problem_.hypotheses[j].objectness * static_cast<double>(leaves ? shared : -shared);
+    if (shared != 0)
+      change.objectness += problem_.hypotheses[j].objectness * static_cast<double>(leaves ? shared : -shared);
   }
   if (!own_added) change.objectness += h.objectness * static_cast<double>(own);
   return costOf(change, h.free_space, config_);

@@ -59,11 +59,11 @@ class BitCost {
     int box = -1;  ///< -1: the boxes are not those any more that it was counted for
     double delta = 0;
   };
-  mutable Counted last_;  ///< what is asked first of a box is often asked of it again
+  mutable Counted last_;                ///< what is asked first of a box is often asked of it again
   std::vector<std::uint64_t> changes_;  ///< the groups that each change touched
   struct Settled {
-    std::size_t changes = 0;  ///< how many there were
-    std::uint64_t groups = 0; ///< that matter
+    std::size_t changes = 0;   ///< how many there were
+    std::uint64_t groups = 0;  ///< that matter
     bool is = false;
   };
   std::vector<Settled> settled_;

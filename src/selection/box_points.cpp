@@ -93,7 +93,8 @@ int BoxPoints::inside(const Box& box, int grow_xy, int grow_z, PointBits& points
   const int x0 = row(x_low_, box.x0 - grow_xy), x1 = row(x_high_, box.x1 + grow_xy);
   const int y0 = row(y_low_, box.y0 - grow_xy), y1 = row(y_high_, box.y1 + grow_xy);
   const int z1 = row(z_high_, box.height + grow_z);
-  const std::uint64_t groups = x_low_.after[x0] & x_high_.before[x1] & y_low_.after[y0] & y_high_.before[y1] & z_high_.before[z1];
+  const std::uint64_t groups =
+      x_low_.after[x0] & x_high_.before[x1] & y_low_.after[y0] & y_high_.before[y1] & z_high_.before[z1];
   return intersectRows(x_high_.below(x1), x_low_.below(x0), y_high_.below(y1), y_low_.below(y0), z_high_.below(z1),
                        groups, layout_.group_words, points.words.data(), points.groups);
 }

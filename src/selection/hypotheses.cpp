@@ -33,9 +33,9 @@ Hypotheses filterByObjectness(const std::vector<ScoredBox>& boxes, const std::ve
     points_of[scored.box.angle].inside(scored.box, ring, ring, beside);
     for (std::size_t i = 0; i < beside.words.size(); ++i) beside.words[i] &= ~kept.points.words[i];
     result.boxes.push_back(scored);
-    result.problem.hypotheses.push_back({scored.objectness,
-                                         selection.free_space_in_voxels ? scored.cues.free_voxels : scored.cues.free_space,
-                                         std::move(kept.points), std::move(beside)});
+    result.problem.hypotheses.push_back(
+        {scored.objectness, selection.free_space_in_voxels ? scored.cues.free_voxels : scored.cues.free_space,
+         std::move(kept.points), std::move(beside)});
   }
   return result;
 }

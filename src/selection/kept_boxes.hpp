@@ -48,8 +48,7 @@ class KeptBoxes {
     if (!config_.across_clusters && kept.cluster != cluster) return false;
     const PointBits& other = boxes_[kept.index].points;
     const std::uint64_t groups = points.groups & other.groups;
-    return groups != 0 &&
-           countCommon(points.words.data(), other.words.data(), groups, layout_.group_words) >= needed;
+    return groups != 0 && countCommon(points.words.data(), other.words.data(), groups, layout_.group_words) >= needed;
   }
 
   const std::vector<SurvivingBox>& boxes_;

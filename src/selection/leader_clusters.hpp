@@ -6,7 +6,8 @@
 
 namespace objectness {
 
-/// Leader clustering of paper Sec. 4.1: a box joins the nearest leader within the radius, or leads a cluster of its own.
+/// Leader clustering of paper Sec. 4.1: a box joins the nearest leader within the radius, or leads a cluster of its
+/// own.
 class LeaderClusters {
  public:
   /// All centres will lie between low and high.
@@ -19,7 +20,8 @@ class LeaderClusters {
   /// Among the clusters there are. May be called by several threads at once.
   Nearest nearest(const Eigen::Vector3d& centre) const;
 
-  /// The cluster of the next box, known the nearest among the first `count` clusters: they are numbered as they are led.
+  /// The cluster of the next box, known the nearest among the first `count` clusters: they are numbered as they are
+  /// led.
   int assign(const Eigen::Vector3d& centre, const Nearest& known, int count);
 
   int count() const { return static_cast<int>(leaders_.size()); }
@@ -35,8 +37,8 @@ class LeaderClusters {
 
   double radius_, cell_;
   Eigen::Vector3d low_;
-  Eigen::Vector3i size_;  ///< cells, no smaller than the radius; an empty one all around
-  std::vector<Leader> leaders_;                ///< by cluster
+  Eigen::Vector3i size_;                         ///< cells, no smaller than the radius; an empty one all around
+  std::vector<Leader> leaders_;                  ///< by cluster
   std::vector<std::vector<Leader>> leaders_at_;  ///< by cell: those in it and in the cells around it, by cluster
 };
 

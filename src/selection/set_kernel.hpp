@@ -36,8 +36,8 @@ struct HeldSets {
 void findHeld(const Counters& held, std::uint64_t mask, int group_words, std::uint64_t* none, std::uint64_t* one,
               std::uint64_t* two);
 
-/// How many points of a set are in no, one and two active boxes; unexplained: the sum of `beside` over those that are in
-/// `exactly` (0 or 1) active boxes; shared: the groups with points in `exactly` + 1 of them.
+/// How many points of a set are in no, one and two active boxes; unexplained: the sum of `beside` over those that are
+/// in `exactly` (0 or 1) active boxes; shared: the groups with points in `exactly` + 1 of them.
 struct HeldCounts {
   int none, one, two;
   long unexplained;

@@ -20,8 +20,8 @@ LeaderClusters clustersOver(const std::vector<Grid>& grids, double radius_m) {
   Eigen::Vector3d low = Eigen::Vector3d::Constant(1e9), high = -low;
   for (const Grid& grid : grids) {
     for (int corner = 0; corner < 8; ++corner) {
-      const Eigen::Vector3d p =
-          grid.toTable({corner & 1 ? 1.0 * grid.nx : 0.0, corner & 2 ? 1.0 * grid.ny : 0.0, corner & 4 ? 1.0 * grid.nz : 0.0});
+      const Eigen::Vector3d p = grid.toTable(
+          {corner & 1 ? 1.0 * grid.nx : 0.0, corner & 2 ? 1.0 * grid.ny : 0.0, corner & 4 ? 1.0 * grid.nz : 0.0});
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);
     }
@@ -41,8 +41,8 @@ PointBits cleared(const PointBits& points, const PointLayout& layout) {
 
 /// What a thread has at hand while it looks at boxes.
 struct Looker {
-  PointBits points{0, {}};  ///< of the box looked at
-  int count = 0;            ///< of them
+  PointBits points{0, {}};                    ///< of the box looked at
+  int count = 0;                              ///< of them
   std::vector<std::vector<int>> suppressors;  ///< by cluster; of the boxes that are in none yet the first
 
   std::vector<int>& recent(int cluster) {

@@ -15,8 +15,9 @@ struct SurvivingBox {
 };
 
 /// What filterBoxes() does, the same boxes, on sets of points in groups: most boxes are in conflict with one that
-/// suppressed a box of their cluster just before, which is asked first. Boxes are looked at in batches, on up to `threads`
-/// threads: against what was kept before the batch at once, against what is kept of the batch itself one by one.
+/// suppressed a box of their cluster just before, which is asked first. Boxes are looked at in batches, on up to
+/// `threads` threads: against what was kept before the batch at once, against what is kept of the batch itself one by
+/// one.
 std::vector<SurvivingBox> suppressBoxes(const std::vector<ScoredBox>& boxes, const std::vector<Grid>& grids,
                                         const std::vector<BoxPoints>& points, const PointLayout& layout,
                                         const FilterConfig& config, int threads);

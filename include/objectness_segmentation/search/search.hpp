@@ -28,7 +28,7 @@ struct SearchResult {
   std::int64_t sampled = 0;      ///< boxes of the sampling
   std::int64_t scored = 0;       ///< of them scored in full; the rest could not reach the threshold
   std::int64_t nodes = 0;        ///< sets of boxes that a bound was computed for
-  std::string unbounded;         ///< why searchBounded() could not use its bounds and scanned instead; empty if it could
+  std::string unbounded;  ///< why searchBounded() could not use its bounds and scanned instead; empty if it could
 };
 
 /// Scores every box by scoreBox(): a plain nested loop over the sampling of paper Sec. 2.2. The definition of the
@@ -46,7 +46,8 @@ SearchResult searchBounded(const CueVolumes& volumes, int angle, const SearchTas
 /// Puts boxes in the order of better().
 void sortBestFirst(std::vector<ScoredBox>& boxes);
 
-/// The boxes of lists in that order, in that order, on up to `threads` threads (0: one per processor).
+/// The boxes of lists that are each in the order of better() in one list in that order, on up to `threads` threads (0:
+/// one per processor).
 std::vector<ScoredBox> mergeBestFirst(const std::vector<std::vector<ScoredBox>>& lists, int threads);
 
 }  // namespace objectness

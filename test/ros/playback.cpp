@@ -30,7 +30,7 @@ std::map<int, std::vector<int>> objectsOf(const sensor_msgs::Image& labels) {
 
 TEST_F(Playback, FindsTheObjectsOfEveryFrameItTakes) {
   const std::uint32_t dropped_before = droppedSoFar();
-  BagPlayer player(play({"-r", "0.3"}));
+  BagPlayer player(playOnce({"-r", "0.3"}));
   const std::vector<ros::Time> played = playedStamps();
   ASSERT_EQ(played.size(), static_cast<std::size_t>(kFrames));
   ASSERT_GE((played.back() - played.front()).toSec(), 3.0);
@@ -74,7 +74,7 @@ TEST_F(Playback, FindsTheObjectsOfEveryFrameItTakes) {
 TEST_F(Playback, TooFastDropsAllButTheNewest) {
   const std::vector<ros::Time> played = playedStamps();
   const std::uint32_t dropped_before = droppedSoFar();
-  BagPlayer player(play({"-r", "100"}));
+  BagPlayer player(playOnce({"-r", "100"}));
   ASSERT_TRUE(waitForAnswerTo(played.back())) << "the newest frame is always processed";
   for (std::size_t i = 1; i < answers_.size(); ++i) {
     EXPECT_LT(answers_[i - 1]->header.stamp, answers_[i]->header.stamp) << "none twice, none older";

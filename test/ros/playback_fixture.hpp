@@ -67,10 +67,13 @@ class Playback : public testing::Test {
 
   static std::vector<std::string> play(const std::vector<std::string>& options) {
     std::vector<std::string> arguments = options;
-    // A player that ends at once takes with it what it has not sent yet: it stays until it is ended.
-    arguments.insert(arguments.end(),
-                     {"--keep-alive", bag(), "--topics", bag_topics::kPoints, bag_topics::kCameraInfo});
+    arguments.insert(arguments.end(), {bag(), "--topics", bag_topics::kPoints, bag_topics::kCameraInfo});
     return arguments;
+  }
+  /// A player that ends at once takes with it what it has not sent yet: it stays until it is ended. It would not loop.
+  static std::vector<std::string> playOnce(std::vector<std::string> options) {
+    options.push_back("--keep-alive");
+    return play(options);
   }
   static std::vector<ros::Time> playedStamps() {
     std::vector<ros::Time> stamps;
@@ -82,7 +85,7 @@ class Playback : public testing::Test {
   /// Dropped frames count from the start of the node: plays the first frame alone to read how many they are. Forgets
   /// its answer.
   std::uint32_t droppedSoFar() {
-    BagPlayer first(play({"-u", "0.1"}));
+    BagPlayer first(playOnce({"-u", "0.1"}));
     EXPECT_TRUE(waitForAnswerTo(playedStamps().front()));
     const std::uint32_t dropped = answers_.empty() ? 0 : answers_.back()->dropped_frames;
     answers_.clear();

@@ -30,7 +30,8 @@ use_sanitizers() {
   # delete for that, by which our side of the header frees them. In glibc the one is the other.
   export ASAN_OPTIONS=$report:detect_stack_use_after_return=1:check_initialization_order=1:alloc_dealloc_mismatch=0
   export LSAN_OPTIONS=$report:suppressions=$suppressions/address.txt:print_suppressions=0
-  export UBSAN_OPTIONS=$report:suppressions=$suppressions/undefined.txt:print_stacktrace=1
+  # Beside AddressSanitizer UBSan writes to standard error whatever the path: it must end the process to be seen.
+  export UBSAN_OPTIONS=$report:suppressions=$suppressions/undefined.txt:print_stacktrace=1:halt_on_error=1
   # ROS's own nodelet manager is not instrumented, but has to load a library that is.
   local preload='' library
   for library in ${libraries//:/ }; do preload+=${preload:+:}$(g++ -print-file-name="$library"); done

@@ -25,7 +25,9 @@ std::uint64_t interleave(std::uint32_t x, std::uint32_t y) {
 std::vector<Eigen::Vector3f> inBitOrder(std::vector<Eigen::Vector3f> points) {
   std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
   order.reserve(points.size());
-  const auto cell = [](float metres) { return static_cast<std::uint32_t>(std::floor(metres / kCellM)) + (1u << 20); };
+  const auto cell = [](float metres) {
+    return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::floor(metres / kCellM)) + (1 << 20));
+  };
   std::uint32_t last_x = 0, last_y = 0;
   std::uint64_t code = interleave(0, 0);
   for (std::size_t i = 0; i < points.size(); ++i) {

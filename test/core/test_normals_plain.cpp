@@ -133,13 +133,15 @@ TEST(PlainNormals, FitsAreTheSame) {
       const cv::Mat_<uchar> clear = clearRadius(frame, normals.jump);
       for (int v = 0, i = 0; v < size.height; ++v) {
         for (int u = 0; u < size.width; ++u, ++i) {
-          const float window = static_cast<float>(config.window_m * frame.camera.focal());
-          const int wanted = static_cast<int>(std::min(window / frame.points[i].z() + 0.5f, 255.0f));
-          const int radius =
-              std::min<int>(std::max(config.min_window_px, std::min(wanted, config.max_window_px)), clear(v, u));
+          int radius = 0;
+          if (clear(v, u) > 0) {
+            const float window = static_cast<float>(config.window_m * frame.camera.focal());
+            const int wanted = static_cast<int>(std::min(window / frame.points[i].z() + 0.5f, 255.0f));
+            radius = std::min<int>(std::max(config.min_window_px, std::min(wanted, config.max_window_px)), clear(v, u));
+          }
           Eigen::Vector3f normal;
           float residual_m, depth_m;
-          if (clear(v, u) == 0 || !plain.fit(u, v, radius, normal, residual_m, depth_m)) {
+          if (radius == 0 || !plain.fit(u, v, radius, normal, residual_m, depth_m)) {
             ASSERT_EQ(normals.radius_px[i], 0);
             ASSERT_FALSE(normals.normal[i].allFinite());
             continue;

@@ -20,7 +20,11 @@ namespace {
 using namespace objectness_test;
 using objectness_segmentation::SegmentedObjectArray;
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr double kLongestEnd_s = 5.0;  // stages are many times slower, and leaks are looked for at the end
+#else
 constexpr double kLongestEnd_s = 1.0;
+#endif
 
 /// Sends frames without a pause to speak of, from a thread of its own.
 class FullInput {

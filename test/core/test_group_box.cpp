@@ -18,7 +18,7 @@ std::vector<Eigen::Vector3f> surfaceOf(const Eigen::Isometry3d& pose, const Eige
   std::vector<Eigen::Vector3f> points;
   for (int i = 0; i < 6000; ++i) {
     Eigen::Vector3d p;
-    for (double& x : p) x = random() / 4294967296.0 - 0.5;
+    for (int k = 0; k < 3; ++k) p[k] = random() / 4294967296.0 - 0.5;
     const int axis = static_cast<int>(random() % 3);
     p[axis] = random() % 2 ? 0.5 : -0.5;
     points.push_back((pose * p.cwiseProduct(size)).cast<float>());

@@ -21,7 +21,7 @@ void PrintTo(const NamedShape& named, std::ostream* out) { *out << named.name; }
 
 Vector3d pointIn(const Eigen::AlignedBox3d& box, Random& random) {
   Vector3d share;
-  for (double& s : share) s = random.uniform(0, 1);
+  for (int k = 0; k < 3; ++k) share[k] = random.uniform(0, 1);
   return box.min() + share.cwiseProduct(box.sizes());
 }
 
@@ -29,7 +29,7 @@ Vector3d pointIn(const Eigen::AlignedBox3d& box, Random& random) {
 Ray drawRay(const Shape& shape, int i, Random& random) {
   const Eigen::AlignedBox3d box = bounds(shape);
   Vector3d target = pointIn(box, random), away;
-  for (double& a : away) a = random.gaussian();
+  for (int k = 0; k < 3; ++k) away[k] = random.gaussian();
   if (i % 10 == 0) away = (i % 20 ? 1 : -1) * Vector3d::Unit(i / 20 % 3);
   if (i % 10 == 5) target.head<2>().setZero();
   return {target + away.normalized() * 2 * box.diagonal().norm(), -away.normalized() * random.uniform(0.3, 3)};
@@ -73,7 +73,7 @@ TEST_P(EveryShape, HasUnitNormalsAcrossTheSurface) {
     ASSERT_NEAR(hit->normal.norm(), 1, 1e-9);
     ASSERT_LT(hit->normal.dot(ray.direction), 0);
     Vector3d aside;
-    for (double& a : aside) a = 1e-6 * random.gaussian();
+    for (int k = 0; k < 3; ++k) aside[k] = 1e-6 * random.gaussian();
     const Ray beside{ray.origin + aside, ray.direction};
     const std::optional<Hit> next = intersect(shape, beside);
     if (!next || next->normal.dot(hit->normal) < 1 - 1e-6) continue;  // across an edge

@@ -9,6 +9,8 @@
 #include <opencv2/imgproc.hpp>
 #include <set>
 
+#include "io/file_access.hpp"
+#include "io/yaml_text.hpp"
 #include "objectness_segmentation/common/angles.hpp"
 
 namespace objectness::evaluation {
@@ -73,8 +75,10 @@ Result<std::vector<TrueBox>> loadTrueBoxes(const std::string& scene_folder) {
   Result<std::vector<TrueBox>> result;
   const std::string path = (std::filesystem::path(scene_folder) / "objects.yaml").string();
   if (!std::filesystem::exists(path)) return result;
+  const Result<std::string> text = readFile(path, kMaxTextBytes);
+  if (!text.ok()) return Result<std::vector<TrueBox>>::error(about(path, text.status));
   try {
-    for (const YAML::Node& node : YAML::LoadFile(path)["objects"]) {
+    for (const YAML::Node& node : parseYaml(text.value)["objects"]) {
       if (node["size_m"]) result.value.push_back(readBox(node));
     }
   } catch (const YAML::Exception& e) {

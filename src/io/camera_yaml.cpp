@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "file_access.hpp"
+#include "yaml_text.hpp"
 
 namespace objectness {
 namespace {
@@ -70,7 +71,7 @@ Result<PinholeCamera> loadCamera(const std::string& path) {
   const Result<std::string> text = readFile(path, kMaxTextBytes);
   if (!text.ok()) return Camera::error(text.status);
   try {
-    return readCamera(YAML::Load(text.value));
+    return readCamera(parseYaml(text.value));
   } catch (const YAML::RepresentationException& e) {
     return Camera::error(StatusCode::kBadInput, std::string("has an entry that is no number: ") + e.what());
   } catch (const YAML::Exception& e) {

@@ -11,6 +11,7 @@
 #include "file_access.hpp"
 #include "name_suggestion.hpp"
 #include "objectness_segmentation/config_fields.hpp"
+#include "yaml_text.hpp"
 
 namespace objectness {
 namespace {
@@ -106,7 +107,7 @@ Status loadConfig(const std::string& path, Config& config) {
   const Result<std::string> text = readFile(path, kMaxTextBytes);
   if (!text.ok()) return text.status;
   try {
-    const YAML::Node root = YAML::Load(text.value);
+    const YAML::Node root = parseYaml(text.value);
     if (root.IsNull()) return {};
     if (!root.IsMap()) {
       return Status::error(StatusCode::kBadInput, "is not a preset: it must hold 'group:' and below it 'field: value'");

@@ -125,6 +125,8 @@ TEST(ConfigYaml, NamesEveryProblemAndChangesNothing) {
       {"search: {angle_step_deg: .nan}", "search.angle_step_deg is nan"},
       {"runtime: {seed: 1.5}\nsearch: {angle_step: 10}", "runtime.seed is '1.5', must be a whole number; there is no"},
       {"search: {angle_step_deg: 10", "is not valid YAML"},
+      {"search: {angle_step_deg:", "is not valid YAML"},
+      {"search: {angle_step_deg:] 10}", "is not valid YAML"},
       {"- 1", "is not a preset"}};
   for (const auto& [yaml, expected] : cases) {
     Config config;

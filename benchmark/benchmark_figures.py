@@ -75,16 +75,20 @@ def figures(results, simulated):
 
     bounded, scan, plain = (("search", kind, "wide") for kind in ("bounded", "scan", "plain"))
     default, paper = ("frame", "objectness", "none"), ("frame", "paper", "tight")
-    best = ("frame", "paper_top_k", "tight")
+    best, strict = ("frame", "paper_top_k", "tight"), ("frame", "paper_strict", "tight")
     lccp, lccp_pcl = ("frame", "lccp", "none"), ("frame", "lccp_pcl_normals", "none")
-    angles = wall("angles", "all", "wide")
+    angles, strict_angles = wall("angles", "all", "wide"), wall("angles", "strict", "wide")
     return [
         Figure("exact search, wide, against the nested loop, CPU time", "share", 1 / 40,
                over(ratio(results, bounded, plain)), 1 / 100),
         Figure("the same against the vectorized scan", "share", 1 / 8, over(ratio(results, bounded, scan))),
         Figure("volumes and search, wide, 2 to 7 objects", "ms", 25, over(angles, *SOME)),
         Figure("the same, 14 to 16 objects", "ms", 50, over(angles, *MANY)),
+        Figure("volumes and search, wide, `cfg/strict.yaml`, 2 to 7 objects", "ms", 25, over(strict_angles, *SOME)),
+        Figure("the same, 14 to 16 objects", "ms", 50, over(strict_angles, *MANY)),
         Figure("frame, `paper`, 2 to 3 objects", "ms", 33, over(wall(*paper), *FEW)),
+        Figure("frame, `paper`, `cfg/strict.yaml`, 2 to 3 objects", "ms", 33, over(wall(*strict), *FEW)),
+        Figure("the same, 14 to 16 objects", "ms", 66, over(wall(*strict), *MANY)),
         Figure("frame, `paper`, 14 to 16 objects, every box over the threshold", "ms", 66, over(wall(*paper), *MANY)),
         Figure("frame, `paper`, 14 to 16 objects, the 1000 best boxes", "ms", 33, over(wall(*best), *MANY)),
         Figure("frame, `objectness`, 2 to 3 objects", "ms", 33, over(wall(*default), *FEW)),

@@ -11,6 +11,7 @@ namespace objectness::benchmarks {
 namespace {
 
 constexpr int kTopK = 1000;
+constexpr char kStrict[] = REPOSITORY_DIR "/cfg/strict.yaml";
 
 Config withThreads() {
   Config config;
@@ -43,6 +44,12 @@ std::vector<VolumeOfInterest> volumesOfInterest() {
   return {{"tight", tight}, {"wide", wide}};
 }
 
+std::vector<VolumeOfInterest> strictVolumes() {
+  std::vector<VolumeOfInterest> volumes = volumesOfInterest();
+  for (VolumeOfInterest& volume : volumes) require(loadConfig(kStrict, volume.config));
+  return volumes;
+}
+
 std::vector<FrameMethod> frameMethods() {
   std::vector<FrameMethod> methods{ownMethod("objectness", "none", withThreads())};
   for (const auto& [volume, config] : volumesOfInterest()) methods.push_back(ownMethod("paper", volume, config));
@@ -50,6 +57,7 @@ std::vector<FrameMethod> frameMethods() {
     config.search.top_k = kTopK;
     methods.push_back(ownMethod("paper_top_k", volume, config));
   }
+  for (const auto& [volume, config] : strictVolumes()) methods.push_back(ownMethod("paper_strict", volume, config));
   for (const bool pcl_normals : {false, true}) {
     methods.push_back(peerMethod(Peer::kMps, pcl_normals));
     methods.push_back(peerMethod(Peer::kLccp, pcl_normals));

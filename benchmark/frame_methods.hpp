@@ -32,4 +32,7 @@ struct VolumeOfInterest {
 };
 std::vector<VolumeOfInterest> volumesOfInterest();
 
+/// The same with the threshold of the preset cfg/strict.yaml.
+std::vector<VolumeOfInterest> strictVolumes();
+
 }  // namespace objectness::benchmarks

@@ -87,6 +87,10 @@ void registerSearches(const BenchmarkScene& scene, bool with_oracles, const Repe
     registerOnOneThread("volumes/all" + suffix, nullptr, repetitions.frames, shared);
     registerOnAllThreads("angles/all" + suffix, repetitions.frames, shared);
   }
+  for (const auto& [volume, config] : strictVolumes()) {
+    const auto shared = std::make_shared<SharedInput>(scene, config);
+    registerOnAllThreads("angles/strict/" + volume + "/" + scene.source.name, repetitions.frames, shared);
+  }
 }
 
 }  // namespace objectness::benchmarks

@@ -20,7 +20,7 @@ class BorderWalk {
   Borders run() {
     for (int v = 0; v < frame_.height(); ++v) {
       for (int u = 0; u < frame_.width(); ++u) {
-        if (pieces_.label(v, u) < 0) continue;
+        if (pieces_.label(v, u) < 0 || surrounded(u, v)) continue;
         walk(u, v, 1, 0);
         walk(u, v, -1, 0);
         walk(u, v, 0, 1);
@@ -31,6 +31,14 @@ class BorderWalk {
   }
 
  private:
+  /// Whether a pixel has nothing but its own piece beside it: most have.
+  bool surrounded(int u, int v) const {
+    if (u == 0 || v == 0 || u + 1 == frame_.width() || v + 1 == frame_.height()) return false;
+    const int width = frame_.width();
+    const int* label = &pieces_.label(v, u);
+    return label[-1] == *label && label[1] == *label && label[-width] == *label && label[width] == *label;
+  }
+
   /// From a pixel of a piece to the next valid one in a direction. Pairs of pieces are noted when seen from the first.
   void walk(int u, int v, int du, int dv) {
     const int pixel = v * frame_.width() + u, own = pieces_.label(v, u);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <opencv2/imgproc.hpp>
 
 namespace objectness {
@@ -20,6 +21,14 @@ Eigen::Matrix3f frameAround(const Eigen::Vector3f& z) {
   return axes;
 }
 
+/// The value that would be at `extremes.size() - 1` in the given order. For few extremes of many values: most are only
+/// compared with the last of them.
+template <class Order>
+float lastOf(std::vector<float>& extremes, const std::vector<float>& values, Order order) {
+  std::partial_sort_copy(values.begin(), values.end(), extremes.begin(), extremes.end(), order);
+  return extremes.back();
+}
+
 /// The box with the given z axis whose footprint across it is the rectangle of least area.
 OrientedBox boxAlong(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& z, double min_size_m) {
   Eigen::Matrix3f axes = frameAround(z);
@@ -32,13 +41,10 @@ OrientedBox boxAlong(const std::vector<Eigen::Vector3f>& points, const Eigen::Ve
   Eigen::Vector3f centre;
   OrientedBox box;
   std::vector<float> along(points.size());
+  std::vector<float> extremes(1 + static_cast<std::size_t>(kTrimmed * (points.size() - 1)));
   for (int axis = 0; axis < 3; ++axis) {
     for (std::size_t i = 0; i < points.size(); ++i) along[i] = axes.col(axis).dot(points[i]);
-    const std::size_t k = static_cast<std::size_t>(kTrimmed * (points.size() - 1));
-    std::nth_element(along.begin(), along.begin() + k, along.end());
-    const float low = along[k];
-    std::nth_element(along.begin(), along.end() - 1 - k, along.end());
-    const float high = along[points.size() - 1 - k];
+    const float low = lastOf(extremes, along, std::less<float>()), high = lastOf(extremes, along, std::greater<float>());
     centre[axis] = 0.5f * (low + high);
     box.size_m[axis] = std::max<double>(min_size_m, high - low);
   }

@@ -124,9 +124,14 @@ Result<Table> findTable(const Frame& frame, const Normals& normals, const TableC
   Result<Plane> chosen =
       config.given ? givenPlane(config) : choosePlane(samples, frame.camera.focal(), planes, config, threads);
   if (!chosen.ok()) return Result<Table>::error(chosen.status);
-  const Plane plane = config.given ? chosen.value : settleOnLowestLayer(samples, chosen.value, threads);
-
-  const SurfaceSamples dense = sampleSurface(frame, normals, prior, kExtentSampleCount, threads);
+  Plane plane = chosen.value;
+  SurfaceSamples dense;
+  inParallel(
+      threads,
+      [&] {
+        if (!config.given) plane = settleOnLowestLayer(samples, plane, threads);
+      },
+      [&] { dense = sampleSurface(frame, normals, prior, kExtentSampleCount, threads); });
   const PlaneGrid grid = makePlaneGrid(dense, plane, kExtentCellM, threads);
   if (grid.empty()) {
     return Result<Table>::error(StatusCode::kNoTable, config.given

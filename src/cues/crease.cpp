@@ -26,6 +26,11 @@ float strengthAt(const cv::Mat_<float>& strength, int u, int v) {
   return inside ? strength(v, u) : 0.f;
 }
 
+cv::Rect grown(const cv::Rect& rect, int margin, const cv::Size& image) {
+  return cv::Rect(rect.x - margin, rect.y - margin, rect.width + 2 * margin, rect.height + 2 * margin) &
+         cv::Rect({0, 0}, image);
+}
+
 void findBendsAt(const Frame& frame, const Normals& normals, int u, int v, BendMap& bends) {
   float& convex = bends.convex(v, u);
   float& concave = bends.concave(v, u);
@@ -98,11 +103,22 @@ BendMap findBends(const Frame& frame, const Normals& normals, const cv::Mat_<uch
   return bends;
 }
 
-cv::Mat_<uchar> thinCreases(const BendMap& bends, const Normals& normals, double min_angle_deg, int threads) {
-  const int width = bends.convex.cols;
+cv::Mat_<uchar> thinCreases(const BendMap& bends, const Normals& normals, const cv::Mat_<uchar>& where,
+                            double min_angle_deg, int threads) {
+  const int width = where.cols;
   const float min_bend = static_cast<float>(bendOf(min_angle_deg));
-  cv::Mat_<float> strength;
-  cv::blur(cv::max(bends.convex, bends.concave), strength, {kSmoothing, kSmoothing});
+  cv::Mat_<uchar> creases(where.size(), uchar(0));
+  const cv::Rect used = cv::boundingRect(where);
+  if (used.empty()) return creases;
+  const cv::Mat radius_px(where.size(), CV_8U, const_cast<uchar*>(normals.radius_px.data()));
+  double widest_px = 0;
+  cv::minMaxLoc(radius_px(used), nullptr, &widest_px);
+  // Ridges are compared with what lies half a window away; bends are smoothed beyond that.
+  const cv::Rect compared = grown(used, (static_cast<int>(widest_px) + 1) / 2, where.size());
+  const cv::Rect smoothed = grown(compared, kSmoothing / 2, where.size());
+  cv::Mat_<float> strength(where.size());
+  const cv::Mat sharper = cv::max(bends.convex(smoothed), bends.concave(smoothed));
+  cv::blur(sharper(compared - smoothed.tl()), strength(compared), {kSmoothing, kSmoothing});
   const auto isRidge = [&](int u, int v) {
     const float own = strength(v, u);
     if (own < min_bend) return false;
@@ -114,10 +130,9 @@ cv::Mat_<uchar> thinCreases(const BendMap& bends, const Normals& normals, double
     }
     return true;
   };
-  cv::Mat_<uchar> creases(strength.size());
-  forRowBands(creases.rows, threads, [&](int first, int last) {
-    for (int v = first; v < last; ++v) {
-      for (int u = 0; u < width; ++u) creases(v, u) = isRidge(u, v) ? 255 : 0;
+  forRowBands(used.height, threads, [&](int first, int last) {
+    for (int v = used.y + first; v < used.y + last; ++v) {
+      for (int u = used.x; u < used.br().x; ++u) creases(v, u) = where(v, u) && isRidge(u, v) ? 255 : 0;
     }
   });
   return creases;

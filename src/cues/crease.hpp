@@ -34,8 +34,9 @@ void findStepsInRows(const Frame& frame, const Normals& normals, const cv::Mat_<
                      cv::Mat_<float>& steps);
 
 /// The ridge lines of the bends, one pixel wide: 255 where a bend of at least min_angle_deg is the sharpest within one
-/// window radius across its line.
-cv::Mat_<uchar> thinCreases(const BendMap& bends, const Normals& normals, double min_angle_deg, int threads = 1);
+/// window radius across its line. Of the pixels where `where` is set; 0 elsewhere.
+cv::Mat_<uchar> thinCreases(const BendMap& bends, const Normals& normals, const cv::Mat_<uchar>& where,
+                            double min_angle_deg, int threads = 1);
 
 /// An angle on the scale of BendMap.
 double bendOf(double angle_deg);

@@ -40,10 +40,10 @@ int widestWindow(const Normals& normals, const ObjectPoints& object_points) {
 }
 
 cv::Mat_<uchar> findMetricEdges(const Frame& frame, const Normals& normals, const Table& table,
-                                const ObjectPoints& object_points, const BendMap& bends, const EdgesConfig& config,
-                                int threads) {
+                                const ObjectPoints& object_points, const cv::Mat_<uchar>& near, const BendMap& bends,
+                                const EdgesConfig& config, int threads) {
   cv::Mat_<uchar> kinds = findDepthEdges(frame, normals, table.noise, config, threads);
-  const cv::Mat_<uchar> creases = thinCreases(bends, normals, config.crease_deg, threads);
+  const cv::Mat_<uchar> creases = thinCreases(bends, normals, near, config.crease_deg, threads);
   // Outside the objects' mask only where one meets the table: a concave crease.
   kinds.setTo(kHighCurvature, creases & (kinds == 0) & (object_points.mask | (bends.concave > bends.convex)));
   return kinds;
@@ -106,9 +106,9 @@ EdgeRegion edgeRegion(const Normals& normals, const ObjectPoints& object_points)
 
 EdgeMap findEdges(const Frame& frame, const Normals& normals, const Table& table, const ObjectPoints& object_points,
                   const EdgeRegion& region, const BendMap& bends, const EdgesConfig& config, int threads) {
-  const cv::Mat_<uchar> found = config.pcl
-                                    ? findPclEdges(frame, normals)
-                                    : findMetricEdges(frame, normals, table, object_points, bends, config, threads);
+  const cv::Mat_<uchar> found =
+      config.pcl ? findPclEdges(frame, normals)
+                 : findMetricEdges(frame, normals, table, object_points, region.near, bends, config, threads);
   cv::Mat_<uchar> kinds = cleaned(found, frame, table, object_points, region.near);
   dropSpecks(frame, config.min_length_m, kinds);
   return {kinds};

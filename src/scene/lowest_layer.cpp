@@ -3,14 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace objectness {
 namespace {
 
-constexpr double kCellM = 0.02;
 constexpr float kLayersM = 0.03f;            // layers farther apart than this are hypotheses of their own
 constexpr float kMinNormalCosine = 0.9063f;  // 25 deg
-constexpr std::size_t kMinPerCell = 3;
+constexpr int kMinPerCell = 3;
 constexpr int kRounds = 4;
 constexpr float kMinStepM = 0.004f;      // between layers that can be told apart
 constexpr double kMinLayerShare = 0.12;  // of the cells; less is a dent or an edge
@@ -23,31 +23,43 @@ struct Patch {
   float sigma_m;
 };
 
-std::vector<Patch> patchesNear(const SurfaceSamples& view, const Plane& plane, int threads) {
-  const PlaneGrid grid = makePlaneGrid(view, plane, kCellM, threads);
-  if (grid.empty()) return {};
-  const cv::Mat_<uchar> extent = extentOf(grid);
+std::vector<Patch> patchesNear(const SurfaceSamples& view, const Plane& plane, const SeenPlane& seen) {
+  struct Member {
+    int cell;
+    float height;
+    const SurfaceSamples::Sample* sample;
+  };
+  if (seen.grid.empty()) return {};
   const FastPlane fast(plane);
-  const Eigen::Matrix<float, 2, 3> axes = grid.T_table_camera.linear().topRows<2>().cast<float>();
-  std::vector<std::vector<const SurfaceSamples::Sample*>> cells(extent.total());
-  cv::Point cell;
+  const Eigen::Matrix<float, 2, 3> axes = seen.grid.T_table_camera.linear().topRows<2>().cast<float>();
+  std::vector<Member> found;
+  found.reserve(view.samples.size());
+  std::vector<int> first(seen.core.total() + 1, 0);  // of the members of each cell, once they are in order
+  cv::Point at;
   for (const auto& sample : view.samples) {
     if (!sample.valid() || !sample.hasNormal() || sample.normal.dot(fast.normal) < kMinNormalCosine) continue;
-    if (std::abs(fast.height(sample.point)) > std::max(kLayersM, sample.tolerance())) continue;
+    const float height = fast.height(sample.point);
+    if (std::abs(height) > std::max(kLayersM, sample.tolerance())) continue;
     const Eigen::Vector2f foot = axes * sample.point;
-    if (grid.cell(foot.x(), foot.y(), cell) && extent(cell) == kCore)
-      cells[cell.y * extent.cols + cell.x].push_back(&sample);
+    if (!seen.grid.cell(foot.x(), foot.y(), at) || seen.core(at) == 0) continue;
+    found.push_back({at.y * seen.core.cols + at.x, height, &sample});
+    ++first[found.back().cell + 1];
   }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<Member> members(found.size());
+  std::vector<int> next(first.begin(), first.end() - 1);
+  for (const Member& member : found) members[next[member.cell]++] = member;
+
   std::vector<Patch> patches;
-  for (auto& members : cells) {
-    if (members.size() < kMinPerCell) continue;
+  for (std::size_t cell = 0; cell + 1 < first.size(); ++cell) {
+    const auto begin = members.begin() + first[cell], end = members.begin() + first[cell + 1];
+    if (end - begin < kMinPerCell) continue;
     // The median by height: a cell at the edge of a thing must not land between the layers.
-    const auto middle = members.begin() + members.size() / 2;
-    std::nth_element(members.begin(), middle, members.end(), [&](const auto* a, const auto* b) {
-      const float height_a = fast.height(a->point), height_b = fast.height(b->point);
-      return height_a != height_b ? height_a < height_b : a < b;
+    const auto middle = begin + (end - begin) / 2;
+    std::nth_element(begin, middle, end, [](const Member& a, const Member& b) {
+      return a.height != b.height ? a.height < b.height : a.sample < b.sample;
     });
-    patches.push_back({(*middle)->point, (*middle)->sigma_m});
+    patches.push_back({middle->sample->point, middle->sample->sigma_m});
   }
   return patches;
 }
@@ -95,8 +107,8 @@ float lowerLayer(const std::vector<Patch>& patches, const Plane& plane) {
 
 }  // namespace
 
-Plane settleOnLowestLayer(const SurfaceSamples& view, const Plane& plane, int threads) {
-  const std::vector<Patch> patches = patchesNear(view, plane, threads);
+Plane settleOnLowestLayer(const SurfaceSamples& view, const Plane& plane, const SeenPlane& seen) {
+  const std::vector<Patch> patches = patchesNear(view, plane, seen);
   const Plane fitted = fitLayer(patches, plane, 0, 0.006f);
   const float lower = lowerLayer(patches, fitted);
   return lower < 0 ? fitLayer(patches, fitted, lower, 0.5f * kMinStepM) : fitted;

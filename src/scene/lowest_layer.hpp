@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "plane_grid.hpp"
+#include "table_evidence.hpp"
 
 namespace objectness {
 
 /// Fits the plane to the surface that lies under everything: where more book tops than table lie within a plane's
 /// tolerance, the plane settles on the books or between. Returns the plane of the lower of two parallel layers when
-/// there are two, otherwise the plane fitted anew to its own surface.
-Plane settleOnLowestLayer(const SurfaceSamples& samples, const Plane& plane, int threads = 1);
+/// there are two, otherwise the plane fitted anew to its own surface. seen: of the plane, by seePlane().
+Plane settleOnLowestLayer(const SurfaceSamples& samples, const Plane& plane, const SeenPlane& seen);
 
 }  // namespace objectness

@@ -21,25 +21,31 @@ constexpr int kExtentSampleCount = 120000;  // to draw the extent from
 constexpr double kExtentCellM = 0.01;
 constexpr double kOutlineToleranceCells = 1.0;
 
-Result<Plane> givenPlane(const TableConfig& config) {
+/// A plane, and with one that was chosen what was seen of it.
+struct TablePlane {
+  Plane plane;
+  SeenPlane seen;
+};
+
+Result<TablePlane> givenPlane(const TableConfig& config) {
   const Eigen::Vector3d normal(config.given_a, config.given_b, config.given_c);
   const double length = normal.norm();
   if (!(length > 0) || !std::isfinite(length) || !std::isfinite(config.given_d)) {
-    return Result<Plane>::error(
+    return Result<TablePlane>::error(
         StatusCode::kBadConfig,
         "table.given is set but (given_a, given_b, given_c) is no direction: give the plane's normal");
   }
   Plane plane{normal / length, config.given_d / length};
   if (plane.d < 0) plane.normal = -plane.normal, plane.d = -plane.d;
-  return {{}, plane};
+  return {{}, {plane, {}}};
 }
 
 /// The best table among the planes.
-Result<Plane> choosePlane(const SurfaceSamples& samples, double focal, const std::vector<Plane>& planes,
+Result<TablePlane> choosePlane(const SurfaceSamples& samples, double focal, const std::vector<Plane>& planes,
                           const TableConfig& config, int threads) {
   const Eigen::Vector3d up(config.up_x, config.up_y, config.up_z);
   if (config.up_known && !(up.norm() > 0)) {
-    return Result<Plane>::error(StatusCode::kBadConfig, "table.up_known is set but (up_x, up_y, up_z) has no length");
+    return Result<TablePlane>::error(StatusCode::kBadConfig, "table.up_known is set but (up_x, up_y, up_z) has no length");
   }
   const double min_cosine = std::cos(config.max_tilt_deg * M_PI / 180);
   const auto isTilted = [&](const Plane& plane) {
@@ -64,14 +70,14 @@ Result<Plane> choosePlane(const SurfaceSamples& samples, double focal, const std
   parallelFor(count, threads, [&](int i) {
     if (i != first && mayBeTable(i) && scores[i] >= scores[first]) judge(i);
   });
-  const Plane* best = nullptr;
+  int best = -1;
   double best_score = 0, largest = 0;
   for (int i = 0; i < count; ++i) {
     largest = std::max(largest, seen[i].evidence.area_m2);
-    if (mayBeTable(i) && scores[i] > best_score) best_score = scores[i], best = &planes[i];
+    if (mayBeTable(i) && scores[i] > best_score) best_score = scores[i], best = i;
   }
   const auto tilted = std::count_if(planes.begin(), planes.end(), isTilted);
-  if (best) return {{}, *best};
+  if (best >= 0) return {{}, {planes[best], std::move(seen[best])}};
 
   const auto valid =
       std::count_if(samples.samples.begin(), samples.samples.end(), [](const auto& s) { return s.valid(); });
@@ -84,7 +90,7 @@ Result<Plane> choosePlane(const SurfaceSamples& samples, double focal, const std
     why << ", the largest of " << std::round(largest * 1e4) << " cm2 (table.min_area_m2 asks for "
         << std::round(config.min_area_m2 * 1e4) << " cm2)";
   }
-  return Result<Plane>::error(StatusCode::kNoTable, why.str());
+  return Result<TablePlane>::error(StatusCode::kNoTable, why.str());
 }
 
 std::vector<Plane> otherPlanes(const std::vector<Plane>& planes, const Plane& table) {
@@ -121,15 +127,15 @@ Result<Table> findTable(const Frame& frame, const Normals& normals, const TableC
   const SurfaceSamples samples = sampleSurface(frame, normals, prior, kSampleCount, threads);
   const std::vector<Plane> planes = findPlanes(samples, threads);
 
-  Result<Plane> chosen =
+  const Result<TablePlane> chosen =
       config.given ? givenPlane(config) : choosePlane(samples, frame.camera.focal(), planes, config, threads);
   if (!chosen.ok()) return Result<Table>::error(chosen.status);
-  Plane plane = chosen.value;
+  Plane plane = chosen.value.plane;
   SurfaceSamples dense;
   inParallel(
       threads,
       [&] {
-        if (!config.given) plane = settleOnLowestLayer(samples, plane, threads);
+        if (!config.given) plane = settleOnLowestLayer(samples, plane, chosen.value.seen);
       },
       [&] { dense = sampleSurface(frame, normals, prior, kExtentSampleCount, threads); });
   const PlaneGrid grid = makePlaneGrid(dense, plane, kExtentCellM, threads);

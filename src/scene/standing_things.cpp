@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "connected_points.hpp"
+#include "objectness_segmentation/common/row_bands.hpp"
 
 namespace objectness {
 namespace {
@@ -15,12 +16,19 @@ constexpr float kGapSigmas = 4.0f;
 constexpr int kMinPixels = 200;  // when the area is too small
 constexpr double kMaxShareOverCeiling = 0.1;
 constexpr double kTallestStack = 2.0;  // times the ceiling
+constexpr int kRowsPerBand = 60;
 constexpr double kWhollyInside = 0.9;  // a share of the points; the rest is noise at the outline
 
 struct Thing {
   int pixels = 0, inside = 0, too_high = 0, far_too_high = 0;
   bool at_border = false;
   double area_m2 = 0;
+
+  void add(const Thing& part) {
+    pixels += part.pixels, inside += part.inside, too_high += part.too_high, far_too_high += part.far_too_high;
+    at_border = at_border || part.at_border;
+    area_m2 += part.area_m2;
+  }
 };
 
 /// A tall stack: no arm or wall that comes from beside the table or from out of the picture.
@@ -39,19 +47,33 @@ Things findThings(const Frame& frame, const Table& table, const HeightMap& map, 
   cv::Mat_<int> label = connectPoints(frame.points, mask, gap, parts, threads);
   int* labels = label.ptr<int>();
 
-  std::vector<Thing> things(parts + 1);
-  for (int v = 0, i = 0; v < mask.rows; ++v) {
-    for (int u = 0; u < mask.cols; ++u, ++i) {
-      if (labels[i] == 0) continue;
-      Thing& thing = things[labels[i]];
-      const double z = frame.points[i].z();
-      ++thing.pixels;
-      thing.at_border = thing.at_border || u == 0 || v == 0 || u + 1 == mask.cols || v + 1 == mask.rows;
-      thing.inside += map.inside(v, u) != 0;
-      thing.too_high += map.height_m(v, u) > config.max_height_m;
-      thing.far_too_high += map.height_m(v, u) > kTallestStack * config.max_height_m;
-      thing.area_m2 += z * z / (focal * focal);
+  const auto measure = [&](int first, int last, std::vector<Thing>& things) {
+    for (int v = first, i = first * mask.cols; v < last; ++v) {
+      for (int u = 0; u < mask.cols; ++u, ++i) {
+        if (labels[i] == 0) continue;
+        Thing& thing = things[labels[i]];
+        const double z = frame.points[i].z();
+        ++thing.pixels;
+        thing.at_border = thing.at_border || u == 0 || v == 0 || u + 1 == mask.cols || v + 1 == mask.rows;
+        thing.inside += map.inside(v, u) != 0;
+        thing.too_high += map.height_m(v, u) > config.max_height_m;
+        thing.far_too_high += map.height_m(v, u) > kTallestStack * config.max_height_m;
+        thing.area_m2 += z * z / (focal * focal);
+      }
     }
+  };
+  // Always the same bands: sums depend on how they are parted.
+  std::vector<std::vector<Thing>> in_band((mask.rows + kRowsPerBand - 1) / kRowsPerBand);
+  forRowBands(
+      mask.rows, threads,
+      [&](int first, int last) {
+        in_band[first / kRowsPerBand].resize(parts + 1);
+        measure(first, last, in_band[first / kRowsPerBand]);
+      },
+      kRowsPerBand);
+  std::vector<Thing> things(parts + 1);
+  for (const std::vector<Thing>& band : in_band) {
+    for (std::size_t k = 1; k < things.size(); ++k) things[k].add(band[k]);
   }
   Things result{label, 0};
   std::vector<int> final_label(things.size(), 0);
@@ -62,9 +84,11 @@ Things findThings(const Frame& frame, const Table& table, const HeightMap& map, 
                         (thing.too_high <= kMaxShareOverCeiling * thing.pixels || isTallStack(thing));
     if (stands) final_label[k] = ++result.count;
   }
-  for (int i = 0; i < frame.size(); ++i) {
-    if (labels[i] > 0) labels[i] = final_label[labels[i]];
-  }
+  forRowBands(mask.rows, threads, [&](int first, int last) {
+    for (int i = first * mask.cols; i < last * mask.cols; ++i) {
+      if (labels[i] > 0) labels[i] = final_label[labels[i]];
+    }
+  });
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <opencv2/imgproc.hpp>
 #include <vector>
 
 #include "objectness_segmentation/common/parallel.hpp"
@@ -64,10 +65,13 @@ class Shells {
 
 /// No way of max_reach_m is longer than this many pixels. From a point to the ray of the next pixel it is at least
 /// z / (f |r|), r = (x / z, y / z, 1) of that ray.
-int longestWay_px(const Frame& frame, const cv::Mat_<uchar>& open, double max_reach_m) {
+int longestWay_px(const Frame& frame, const cv::Mat_<uchar>& open, const cv::Rect& used, double max_reach_m) {
   float nearest = std::numeric_limits<float>::infinity();
-  for (int i = 0; i < frame.size(); ++i) {
-    if (open.data[i]) nearest = std::min(nearest, frame.points[i].z());  // NaN: stays
+  for (int v = used.y; v < used.br().y; ++v) {
+    const Eigen::Vector3f* points = frame.points.data() + std::size_t(v) * frame.width();
+    for (int u = used.x; u < used.br().x; ++u) {
+      if (open(v, u)) nearest = std::min(nearest, points[u].z());  // NaN: stays
+    }
   }
   if (!(nearest > 0)) return frame.size();
   const PinholeCamera& camera = frame.camera;
@@ -79,9 +83,10 @@ int longestWay_px(const Frame& frame, const cv::Mat_<uchar>& open, double max_re
   return static_cast<int>(std::min(pixels, 1e6)) + 2;
 }
 
-/// The ways of the pixels in rows top..bottom-1, by index from the first of them.
+/// The ways of the pixels in rows top..bottom-1, by index from the first of them. Open pixels are in columns
+/// left..right-1.
 std::vector<Way> shortestWays(const Frame& frame, const cv::Mat_<uchar>& open, const GeodesicLimits& limits,
-                              const cv::Mat_<int>& owner, int top, int bottom) {
+                              const cv::Mat_<int>& owner, int top, int bottom, int left, int right) {
   const int width = frame.width(), height = bottom - top;
   const Eigen::Vector3f* points = frame.points.data() + std::size_t(top) * width;
   const uchar* opens = open[top];
@@ -106,7 +111,7 @@ std::vector<Way> shortestWays(const Frame& frame, const cv::Mat_<uchar>& open, c
   };
 
   for (int v = 0; v < height; ++v) {
-    for (int u = 0; u < width; ++u) {
+    for (int u = left; u < right; ++u) {
       const int pixel = v * width + u;
       if (owners[pixel] >= 0 || !opens[pixel]) continue;
       forNeighbours(u, v, [&](int source) {
@@ -128,21 +133,27 @@ std::vector<Way> shortestWays(const Frame& frame, const cv::Mat_<uchar>& open, c
 
 void assignGeodesic(const Frame& frame, const cv::Mat_<uchar>& open, const GeodesicLimits& limits, cv::Mat_<int>& owner,
                     int threads) {
-  const int width = frame.width(), height = frame.height();
+  const cv::Rect used = cv::boundingRect(open);
+  if (used.empty()) return;
+  const int width = frame.width(), height = used.height;
   // A band sees as far beyond its rows as any way can lead.
-  const int margin = threads == 1 ? height : longestWay_px(frame, open, limits.max_reach_m);
+  const int margin = threads == 1 ? height : longestWay_px(frame, open, used, limits.max_reach_m);
   const int bands = std::clamp(height / (2 * margin), 1, ThreadPool::resolve(threads));
   std::vector<std::vector<Way>> ways(bands);
-  const auto firstRow = [&](int band) { return height * band / bands; };
-  const auto topRow = [&](int band) { return bands == 1 ? 0 : std::max(0, firstRow(band) - margin); };
+  const auto firstRow = [&](int band) { return used.y + height * band / bands; };
+  // Sources need not be open: they may lie beside what is.
+  const int top = std::max(0, used.y - 1), bottom = std::min(frame.height(), used.br().y + 1);
+  const auto topRow = [&](int band) { return band == 0 ? top : std::max(top, firstRow(band) - margin); };
   parallelFor(bands, threads, [&](int band) {
-    const int bottom = std::min(height, firstRow(band + 1) + margin);
-    ways[band] = shortestWays(frame, open, limits, owner, topRow(band), bottom);
+    const int end = band + 1 == bands ? bottom : std::min(bottom, firstRow(band + 1) + margin);
+    ways[band] = shortestWays(frame, open, limits, owner, topRow(band), end, used.x, used.br().x);
   });
   parallelFor(bands, threads, [&](int band) {
     const Way* way = ways[band].data() - std::ptrdiff_t(topRow(band)) * width;
-    for (int i = firstRow(band) * width; i < firstRow(band + 1) * width; ++i) {
-      if (way[i] != kNone) owner[0][i] = ownerOf(way[i]);
+    for (int v = firstRow(band); v < firstRow(band + 1); ++v) {
+      for (int i = v * width + used.x; i < v * width + used.br().x; ++i) {
+        if (way[i] != kNone) owner[0][i] = ownerOf(way[i]);
+      }
     }
   });
 }

@@ -13,7 +13,7 @@
 namespace objectness {
 namespace {
 
-constexpr int kRowsPerBand = 120;  // every band sums up the rows within reach above it anew
+constexpr int kRowsPerBand = 80;  // every band sums up the rows within reach above it anew
 
 /// The windows of a row and the planes fitted to them, for pixels that have one.
 class RowOfWindows {
@@ -54,25 +54,39 @@ class RowOfWindows {
   std::vector<std::vector<float>> floats_;
 };
 
-void fitRows(const Frame& frame, const NormalsConfig& config, const cv::Mat_<uchar>& clear, int first, int last,
-             Normals& normals) {
-  const int width = frame.width();
-  const int max_radius = std::max(config.min_window_px, config.max_window_px);
+/// Sets the window radius of the pixels in rows first..last-1, 0 where there is no window. Returns the largest.
+int chooseWindows(const Frame& frame, const NormalsConfig& config, const cv::Mat_<uchar>& clear, int first, int last,
+                  Normals& normals) {
   const float window = static_cast<float>(config.window_m * frame.camera.focal());
-  IntegralRows integral(frame, max_radius, first);
-  RowOfWindows windows(width);
+  int widest = 0;
   for (int v = first; v < last; ++v) {
-    integral.moveTo(v, max_radius);
-    windows.clear();
-    unsigned char* radius_px = normals.radius_px.data() + std::size_t(v) * width;
-    const Eigen::Vector3f* points = frame.points.data() + std::size_t(v) * width;
-    for (int u = 0; u < width; ++u) {
+    unsigned char* radius_px = normals.radius_px.data() + std::size_t(v) * frame.width();
+    const Eigen::Vector3f* points = frame.points.data() + std::size_t(v) * frame.width();
+    for (int u = 0; u < frame.width(); ++u) {
       if (clear(v, u) == 0) continue;
       const int wanted = static_cast<int>(std::min(window / points[u].z() + 0.5f, 255.0f));
       const int on_surface = std::max(config.min_window_px, std::min(wanted, config.max_window_px));
       const int radius = std::min<int>(on_surface, clear(v, u));
       radius_px[u] = static_cast<unsigned char>(radius);
-      windows.add(u, radius, integral.window(u, v, radius));
+      widest = std::max(widest, radius);
+    }
+  }
+  return widest;
+}
+
+void fitRows(const Frame& frame, const NormalsConfig& config, const cv::Mat_<uchar>& clear, int first, int last,
+             Normals& normals) {
+  const int width = frame.width();
+  const int widest = chooseWindows(frame, config, clear, first, last, normals);
+  IntegralRows integral(frame, widest, first);
+  RowOfWindows windows(width);
+  for (int v = first; v < last; ++v) {
+    integral.moveTo(v, widest);
+    windows.clear();
+    unsigned char* radius_px = normals.radius_px.data() + std::size_t(v) * width;
+    const Eigen::Vector3f* points = frame.points.data() + std::size_t(v) * width;
+    for (int u = 0; u < width; ++u) {
+      if (radius_px[u] > 0) windows.add(u, radius_px[u], integral.window(u, v, radius_px[u]));
     }
     windows.fit(frame.camera, v);
     for (int i = 0; i < windows.count(); ++i) {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "height_map.hpp"
-#include "objectness_segmentation/common/row_bands.hpp"
+#include "objectness_segmentation/common/parallel.hpp"
 #include "standing_things.hpp"
 #include "wall_patches.hpp"
 
@@ -12,24 +12,21 @@ namespace objectness {
 namespace {
 
 constexpr float kMinTableCosine = 0.866f;  // 30 deg; the side of a thing's foot is not table
+constexpr int kBands = 8;                     // of the picture
 
-cv::Mat_<uchar> tableSurface(const Normals& normals, const Table& table, const HeightMap& map,
-                             const cv::Mat_<uchar>& mask, int threads) {
-  const Eigen::Vector3f up = table.normal.cast<float>();
-  cv::Mat_<uchar> surface(mask.size());
-  forRowBands(mask.rows, threads, [&](int first, int last) {
-    for (int v = first; v < last; ++v) {
-      const float *height = map.height_m[v], *threshold = map.threshold_m[v];
-      const uchar *object = mask[v], *inside = map.inside[v];
-      const uchar* radius = normals.radius_px.data() + std::size_t(v) * mask.cols;
-      const Eigen::Vector3f* normal = normals.normal.data() + std::size_t(v) * mask.cols;
-      for (int u = 0; u < mask.cols; ++u) {
-        const bool level = !object[u] && inside[u] && std::abs(height[u]) <= threshold[u];
-        surface(v, u) = level && !(radius[u] > 0 && normal[u].dot(up) < kMinTableCosine) ? 255 : 0;
-      }
+/// Rows first..last-1 of ObjectPoints::on_table, before the floors of hollow things are taken off.
+void markTableSurface(const Normals& normals, const Eigen::Vector3f& up, const HeightMap& map,
+                      const cv::Mat_<uchar>& mask, int first, int last, cv::Mat_<uchar>& surface) {
+  for (int v = first; v < last; ++v) {
+    const float *height = map.height_m[v], *threshold = map.threshold_m[v];
+    const uchar *object = mask[v], *inside = map.inside[v];
+    const uchar* radius = normals.radius_px.data() + std::size_t(v) * mask.cols;
+    const Eigen::Vector3f* normal = normals.normal.data() + std::size_t(v) * mask.cols;
+    for (int u = 0; u < mask.cols; ++u) {
+      const bool level = !object[u] && inside[u] && std::abs(height[u]) <= threshold[u];
+      surface(v, u) = level && !(radius[u] > 0 && normal[u].dot(up) < kMinTableCosine) ? 255 : 0;
     }
-  });
-  return surface;
+  }
 }
 
 }  // namespace
@@ -41,13 +38,16 @@ ObjectPoints findObjectPoints(const Frame& frame, const Normals& normals, const 
   removeWalls(frame, normals, table, map, config, mask, threads);
   const Things things = findThings(frame, table, map, config, mask, threads);
   mask = things.label > 0;
-  cv::Mat_<uchar> with_floors = mask.clone(), surface;
-  inParallel(
-      threads,
-      [&] {
-        if (config.hollow_floors) addHollowFloors(frame, table, map, things, with_floors);
-      },
-      [&] { surface = tableSurface(normals, table, map, mask, threads); });
+  cv::Mat_<uchar> with_floors = mask.clone(), surface(mask.size());
+  const Eigen::Vector3f up = table.normal.cast<float>();
+  // One thread looks for floors; whoever has time meanwhile marks the table, band by band.
+  parallelFor(1 + kBands, threads, [&](int i) {
+    if (i > 0) {
+      markTableSurface(normals, up, map, mask, mask.rows * (i - 1) / kBands, mask.rows * i / kBands, surface);
+    } else if (config.hollow_floors) {
+      addHollowFloors(frame, table, map, things, with_floors);
+    }
+  });
   surface.setTo(0, with_floors);
   return {map.height_m, with_floors, surface};
 }

@@ -11,6 +11,7 @@ namespace objectness {
 /// Where edges of the objects can lie, and the wider surroundings that tell them from what only ends there. 255 = yes.
 struct EdgeRegion {
   cv::Mat_<uchar> near, around;
+  cv::Rect box;  ///< around `near`
 };
 EdgeRegion edgeRegion(const Normals& normals, const ObjectPoints& object_points);
 

@@ -18,11 +18,13 @@ constexpr uchar kContinues = kBorder << 1;  // working bit: the same surface, or
 
 class DepthEdgeFinder {
  public:
-  DepthEdgeFinder(const Frame& frame, const Normals& normals, const DepthNoise& noise, const EdgesConfig& config)
+  DepthEdgeFinder(const Frame& frame, const Normals& normals, const DepthNoise& noise, const EdgesConfig& config,
+                  cv::Point first)
       : frame_(frame),
         normals_(normals),
         noise_(noise),
         config_(config),
+        first_(first),
         focal_(frame.camera.focal()),
         kinds_(cv::Mat_<uchar>::zeros(frame.height(), frame.width())) {}
 
@@ -39,28 +41,32 @@ class DepthEdgeFinder {
   }
 
  private:
-  /// Where anything is to be done: bits of markDepthChanges().
+  /// Where anything is to be done: bits of markDepthChanges(). A pixel is compared with what is left of it and above:
+  /// those before the first pixel tell nothing of those after it.
   cv::Mat_<uchar> interestingPlaces(int threads) const {
     const int width = frame_.width(), height = frame_.height();
     // A little under the step: single precision must not lose one.
     const float min_step_m = static_cast<float>(config_.step_m * (1 - 1e-6));
-    cv::Mat_<uchar> places(height, width);
-    forRowBands(height, threads, [&](int first, int last) {
+    cv::Mat_<uchar> places(height, width, uchar(0));
+    forRowBands(height - first_.y, threads, [&](int first, int last) {
       const float nan = std::numeric_limits<float>::quiet_NaN();
       std::vector<float> rows[3];
       for (auto& row : rows) row.assign(width + 2, nan);
       const auto load = [&](int v) {
         float* row = rows[(v + 3) % 3].data() + 1;
-        for (int u = 0; u < width; ++u) {
+        for (int u = std::max(0, first_.x - 1); u < width; ++u) {
           row[u] = v < 0 || v >= height ? nan : frame_.points[std::size_t(v) * width + u].z();
         }
       };
+      first += first_.y, last += first_.y;
       load(first - 1);
       load(first);
       for (int v = first; v < last; ++v) {
         load(v + 1);
-        markDepthChanges(rows[(v + 2) % 3].data() + 1, rows[v % 3].data() + 1, rows[(v + 1) % 3].data() + 1, width,
-                         min_step_m, places[v]);
+        const float *above = rows[(v + 2) % 3].data() + 1, *row = rows[v % 3].data() + 1;
+        const float* below = rows[(v + 1) % 3].data() + 1;
+        const int x = first_.x;
+        markDepthChanges(above + x, row + x, below + x, width - x, min_step_m, places[v] + x);
       }
     });
     return places;
@@ -68,9 +74,9 @@ class DepthEdgeFinder {
 
   /// Calls visit(pixel, bits) for the few pixels that have any.
   template <class Visit>
-  static void forEachSet(const cv::Mat_<uchar>& places, Visit&& visit) {
+  void forEachSet(const cv::Mat_<uchar>& places, Visit&& visit) const {
     const int size = static_cast<int>(places.total());
-    for (int i = 0; i < size;) {
+    for (int i = first_.y * places.cols; i < size;) {
       std::uint64_t eight = 1;
       if (i + 8 <= size) std::memcpy(&eight, places.data + i, 8);
       if (eight == 0) {
@@ -144,6 +150,7 @@ class DepthEdgeFinder {
   const Normals& normals_;
   const DepthNoise noise_;
   const EdgesConfig& config_;
+  const cv::Point first_;
   const double focal_;
   cv::Mat_<uchar> kinds_;
 };
@@ -151,8 +158,8 @@ class DepthEdgeFinder {
 }  // namespace
 
 cv::Mat_<uchar> findDepthEdges(const Frame& frame, const Normals& normals, const DepthNoise& noise,
-                               const EdgesConfig& config, int threads) {
-  return DepthEdgeFinder(frame, normals, noise, config).run(threads);
+                               const EdgesConfig& config, int threads, cv::Point first) {
+  return DepthEdgeFinder(frame, normals, noise, config, first).run(threads);
 }
 
 }  // namespace objectness

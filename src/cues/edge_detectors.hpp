@@ -6,9 +6,10 @@
 namespace objectness {
 
 /// Depth edges of the whole image, EdgeKind bits: neighbours, or the two sides of a patch of missing depth, that lie
-/// further apart in depth than noise and a grazing surface explain; border where nothing lies across the patch.
+/// further apart in depth than noise and a grazing surface explain; border where nothing lies across the patch. first:
+/// what lies left of this pixel or above it is not needed, and undefined.
 cv::Mat_<uchar> findDepthEdges(const Frame& frame, const Normals& normals, const DepthNoise& noise,
-                               const EdgesConfig& config, int threads = 1);
+                               const EdgesConfig& config, int threads = 1, cv::Point first = {0, 0});
 
 /// The four kinds of edges of the whole image as pcl::OrganizedEdgeFromNormals finds them.
 cv::Mat_<uchar> findPclEdges(const Frame& frame, const Normals& normals);

@@ -40,12 +40,17 @@ int widestWindow(const Normals& normals, const ObjectPoints& object_points) {
 }
 
 cv::Mat_<uchar> findMetricEdges(const Frame& frame, const Normals& normals, const Table& table,
-                                const ObjectPoints& object_points, const cv::Mat_<uchar>& near, const BendMap& bends,
+                                const ObjectPoints& object_points, const EdgeRegion& region, const BendMap& bends,
                                 const EdgesConfig& config, int threads) {
-  cv::Mat_<uchar> kinds = findDepthEdges(frame, normals, table.noise, config, threads);
-  const cv::Mat_<uchar> creases = thinCreases(bends, normals, near, config.crease_deg, threads);
+  // Which edges are kept depends on the pixels beside them, too.
+  const cv::Point first(std::max(0, region.box.x - 1), std::max(0, region.box.y - 1));
+  cv::Mat_<uchar> kinds = findDepthEdges(frame, normals, table.noise, config, threads, first);
+  const cv::Mat_<uchar> creases = thinCreases(bends, normals, region.near, config.crease_deg, threads);
   // Outside the objects' mask only where one meets the table: a concave crease.
-  kinds.setTo(kHighCurvature, creases & (kinds == 0) & (object_points.mask | (bends.concave > bends.convex)));
+  const cv::Rect& box = region.box;
+  cv::Mat_<uchar> in_box = kinds(box);
+  in_box.setTo(kHighCurvature, creases(box) & (in_box == 0) &
+                                   (object_points.mask(box) | (bends.concave(box) > bends.convex(box))));
   return kinds;
 }
 
@@ -60,12 +65,12 @@ bool besideOccluded(const cv::Mat_<uchar>& kinds, int u, int v) {
 
 /// Keeps the edges of objects: shadows' outlines on the table, its rim, and creases that are the foot of a jump go.
 cv::Mat_<uchar> cleaned(const cv::Mat_<uchar>& kinds, const Frame& frame, const Table& table,
-                        const ObjectPoints& object_points, const cv::Mat_<uchar>& near_objects) {
+                        const ObjectPoints& object_points, const EdgeRegion& region) {
   cv::Mat_<uchar> kept = cv::Mat_<uchar>::zeros(kinds.size());
-  for (int v = 0; v < kinds.rows; ++v) {
-    for (int u = 0; u < kinds.cols; ++u) {
+  for (int v = region.box.y; v < region.box.br().y; ++v) {
+    for (int u = region.box.x; u < region.box.br().x; ++u) {
       const uchar found = kinds(v, u);
-      if (found == 0 || !near_objects(v, u)) continue;
+      if (found == 0 || !region.near(v, u)) continue;
       const double clearance = tableClearance(frame, table, u, v);
       const double height = object_points.height_m(v, u);
       if (height < -clearance || ((found & kOccluded) && height < 2 * clearance)) continue;
@@ -101,15 +106,16 @@ void dropSpecks(const Frame& frame, double min_length_m, cv::Mat_<uchar>& kinds)
 EdgeRegion edgeRegion(const Normals& normals, const ObjectPoints& object_points) {
   const int window = widestWindow(normals, object_points);
   const cv::Mat_<uchar> near = grown(object_points.mask, window);
-  return {near, grown(near, window)};
+  return {near, grown(near, window), cv::boundingRect(near)};
 }
 
 EdgeMap findEdges(const Frame& frame, const Normals& normals, const Table& table, const ObjectPoints& object_points,
                   const EdgeRegion& region, const BendMap& bends, const EdgesConfig& config, int threads) {
+  if (region.box.empty()) return {cv::Mat_<uchar>(object_points.mask.size(), uchar(0))};
   const cv::Mat_<uchar> found =
       config.pcl ? findPclEdges(frame, normals)
-                 : findMetricEdges(frame, normals, table, object_points, region.near, bends, config, threads);
-  cv::Mat_<uchar> kinds = cleaned(found, frame, table, object_points, region.near);
+                 : findMetricEdges(frame, normals, table, object_points, region, bends, config, threads);
+  cv::Mat_<uchar> kinds = cleaned(found, frame, table, object_points, region);
   dropSpecks(frame, config.min_length_m, kinds);
   return {kinds};
 }

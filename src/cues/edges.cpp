@@ -49,8 +49,8 @@ cv::Mat_<uchar> findMetricEdges(const Frame& frame, const Normals& normals, cons
   // Outside the objects' mask only where one meets the table: a concave crease.
   const cv::Rect& box = region.box;
   cv::Mat_<uchar> in_box = kinds(box);
-  in_box.setTo(kHighCurvature, creases(box) & (in_box == 0) &
-                                   (object_points.mask(box) | (bends.concave(box) > bends.convex(box))));
+  in_box.setTo(kHighCurvature,
+               creases(box) & (in_box == 0) & (object_points.mask(box) | (bends.concave(box) > bends.convex(box))));
   return kinds;
 }
 

@@ -44,7 +44,8 @@ OrientedBox boxAlong(const std::vector<Eigen::Vector3f>& points, const Eigen::Ve
   std::vector<float> extremes(1 + static_cast<std::size_t>(kTrimmed * (points.size() - 1)));
   for (int axis = 0; axis < 3; ++axis) {
     for (std::size_t i = 0; i < points.size(); ++i) along[i] = axes.col(axis).dot(points[i]);
-    const float low = lastOf(extremes, along, std::less<float>()), high = lastOf(extremes, along, std::greater<float>());
+    const float low = lastOf(extremes, along, std::less<float>()),
+                high = lastOf(extremes, along, std::greater<float>());
     centre[axis] = 0.5f * (low + high);
     box.size_m[axis] = std::max<double>(min_size_m, high - low);
   }

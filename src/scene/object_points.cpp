@@ -12,7 +12,7 @@ namespace objectness {
 namespace {
 
 constexpr float kMinTableCosine = 0.866f;  // 30 deg; the side of a thing's foot is not table
-constexpr int kBands = 8;                     // of the picture
+constexpr int kBands = 8;                  // of the picture
 
 /// Rows first..last-1 of ObjectPoints::on_table, before the floors of hollow things are taken off.
 void markTableSurface(const Normals& normals, const Eigen::Vector3f& up, const HeightMap& map,

@@ -42,10 +42,11 @@ Result<TablePlane> givenPlane(const TableConfig& config) {
 
 /// The best table among the planes.
 Result<TablePlane> choosePlane(const SurfaceSamples& samples, double focal, const std::vector<Plane>& planes,
-                          const TableConfig& config, int threads) {
+                               const TableConfig& config, int threads) {
   const Eigen::Vector3d up(config.up_x, config.up_y, config.up_z);
   if (config.up_known && !(up.norm() > 0)) {
-    return Result<TablePlane>::error(StatusCode::kBadConfig, "table.up_known is set but (up_x, up_y, up_z) has no length");
+    return Result<TablePlane>::error(StatusCode::kBadConfig,
+                                     "table.up_known is set but (up_x, up_y, up_z) has no length");
   }
   const double min_cosine = std::cos(config.max_tilt_deg * M_PI / 180);
   const auto isTilted = [&](const Plane& plane) {

@@ -87,3 +87,25 @@ TEST(PlainBends, StepsAreTheSame) {
     EXPECT_TRUE(sameBits(steps, plain)) << seed;
   }
 }
+
+TEST(Creases, AreTheSameWhereverTheyAreLookedFor) {
+  int creases = 0;
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    const View view(seed);
+    const cv::Mat_<uchar> everywhere(150, 200, uchar(255));
+    const BendMap bends = findBends(view.frame, view.normals, everywhere);
+    const cv::Mat_<uchar> all = thinCreases(bends, view.normals, everywhere, 5);
+    creases += cv::countNonZero(all);
+    for (const cv::Rect& rect : {cv::Rect(0, 0, 200, 150), cv::Rect(60, 40, 70, 50), cv::Rect(0, 0, 9, 9),
+                                 cv::Rect(150, 100, 50, 50), cv::Rect(80, 70, 1, 1)}) {
+      cv::Mat_<uchar> where(150, 200, uchar(0));
+      view.where(rect).copyTo(where(rect));
+      for (const int threads : {1, 2}) {
+        const cv::Mat_<uchar> found = thinCreases(bends, view.normals, where, 5, threads);
+        EXPECT_TRUE(sameBits<uchar>(found, all & where)) << rect;
+      }
+    }
+    EXPECT_EQ(cv::countNonZero(thinCreases(bends, view.normals, cv::Mat_<uchar>(150, 200, uchar(0)), 5)), 0);
+  }
+  EXPECT_GT(creases, 200);
+}

@@ -116,3 +116,21 @@ TEST(DepthEdges, AreThoseOfLookingAtEveryPixel) {
     }
   }
 }
+
+TEST(DepthEdges, AreTheSameFromAnyPixelOn) {
+  Frame frame = randomFrame(150, 110, 7);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (int v = 50; v < 80; ++v) {
+    for (int u = 40; u < 52; ++u) frame.points[v * 150 + u].setConstant(nan);
+  }
+  const Normals normals = estimateNormals(frame, {});
+  const cv::Mat_<uchar> whole = findDepthEdges(frame, normals, {}, {});
+  for (const cv::Point first :
+       {cv::Point(0, 0), cv::Point(1, 1), cv::Point(45, 30), cv::Point(46, 60), cv::Point(149, 109)}) {
+    for (const int threads : {1, 2}) {
+      const cv::Mat_<uchar> part = findDepthEdges(frame, normals, {}, {}, threads, first);
+      const cv::Rect rest(first, cv::Point(150, 110));
+      EXPECT_EQ(cv::norm(part(rest), whole(rest), cv::NORM_INF), 0) << first;
+    }
+  }
+}

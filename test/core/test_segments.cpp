@@ -179,6 +179,11 @@ TEST(Geodesic, IsTheShortestWayAndTheLowerOwnerOfEqualOnes) {
     cv::Mat_<uchar> open(23, 31);
     cv::Mat_<int> owner(23, 31, -1);
     for (int i = 0; i < frame.size(); ++i) open(i) = below(8) ? 255 : 0;
+    if (round % 3 == 0) {  // open in the middle only: sources lie beside it, too
+      cv::Mat_<uchar> middle(23, 31, uchar(0));
+      middle(cv::Rect(5, 3, 20, 17)) = 255;
+      open &= middle;
+    }
     for (int k = 0; k < 12; ++k) owner(below(frame.size())) = below(5);
 
     // Every pixel looks at its neighbours until nothing gets better.
@@ -218,6 +223,8 @@ TEST(Geodesic, IsTheSameForAnyNumberOfThreads) {
   cv::Mat_<uchar> open(400, 160);
   cv::Mat_<int> owner(400, 160, -1);
   for (int i = 0; i < frame.size(); ++i) open(i) = random() % 10 ? 255 : 0;
+  open(cv::Rect(0, 0, 160, 25)) = 0;
+  open(cv::Rect(0, 380, 160, 20)) = 0;
   for (int k = 0; k < 60; ++k) owner(random() % frame.size()) = k;
   const cv::Mat_<int> given = owner.clone();
   assignGeodesic(frame, open, {0.03, 0.08}, owner);

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <opencv2/imgproc.hpp>
+
+#include "extremes.hpp"
 
 namespace objectness {
 namespace {
@@ -21,31 +22,24 @@ Eigen::Matrix3f frameAround(const Eigen::Vector3f& z) {
   return axes;
 }
 
-/// The value that would be at `extremes.size() - 1` in the given order. For few extremes of many values: most are only
-/// compared with the last of them.
-template <class Order>
-float lastOf(std::vector<float>& extremes, const std::vector<float>& values, Order order) {
-  std::partial_sort_copy(values.begin(), values.end(), extremes.begin(), extremes.end(), order);
-  return extremes.back();
-}
-
 /// The box with the given z axis whose footprint across it is the rectangle of least area.
 OrientedBox boxAlong(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& z, double min_size_m) {
   Eigen::Matrix3f axes = frameAround(z);
   std::vector<cv::Point2f> footprint;
   footprint.reserve(points.size());
   for (const auto& p : points) footprint.emplace_back(axes.col(0).dot(p), axes.col(1).dot(p));
-  const double yaw = cv::minAreaRect(footprint).angle * CV_PI / 180;
+  const double yaw = cv::minAreaRect(outerPoints(footprint)).angle * CV_PI / 180;
   axes = axes * Eigen::AngleAxisf(static_cast<float>(yaw), Eigen::Vector3f::UnitZ()).toRotationMatrix();
 
   Eigen::Vector3f centre;
   OrientedBox box;
   std::vector<float> along(points.size());
-  std::vector<float> extremes(1 + static_cast<std::size_t>(kTrimmed * (points.size() - 1)));
+  const std::size_t k = static_cast<std::size_t>(kTrimmed * (points.size() - 1));
+  std::vector<float> few;
   for (int axis = 0; axis < 3; ++axis) {
     for (std::size_t i = 0; i < points.size(); ++i) along[i] = axes.col(axis).dot(points[i]);
-    const float low = lastOf(extremes, along, std::less<float>()),
-                high = lastOf(extremes, along, std::greater<float>());
+    const float low = smallestButFew(k, along, few);
+    const float high = largestButFew(k, along, few);
     centre[axis] = 0.5f * (low + high);
     box.size_m[axis] = std::max<double>(min_size_m, high - low);
   }

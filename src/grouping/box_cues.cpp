@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "group_parts.hpp"
+#include "pixel_kernel.hpp"
 
 namespace objectness {
 namespace {
@@ -78,12 +79,6 @@ void addEdgeCues(const GroupParts& parts, const View& view, float pixel_m, Group
   cues.outer_edges = near > 0 ? inside / near : 0;
 }
 
-/// Of a pixel's coordinate in the image, which is over -0.5: std::lround() in place.
-int nearest(float x) {
-  const int whole = static_cast<int>(x);
-  return whole + (x - static_cast<float>(whole) >= 0.5f ? 1 : 0);
-}
-
 }  // namespace
 
 void addBoxCues(const GroupParts& parts, const Members& group, const OrientedBox& box, GroupCues& cues) {
@@ -120,9 +115,6 @@ void addVolumeCues(const GroupParts& parts, const Members& group, const Oriented
   const Frame& frame = parts.evidence.frame;
   const Eigen::Isometry3f T_camera_box = parts.T_camera_table * box.T_camera_box.cast<float>();
   const Eigen::Vector3f cell = box.size_m.cast<float>() / kCells;
-  const float fx = static_cast<float>(frame.camera.fx), fy = static_cast<float>(frame.camera.fy);
-  const float cx = static_cast<float>(frame.camera.cx), cy = static_cast<float>(frame.camera.cy);
-  const float width = static_cast<float>(frame.width()), height = static_cast<float>(frame.height());
   // What each axis adds to a cell's centre.
   std::array<Eigen::Vector3f, kCells> along[3];
   for (int axis = 0; axis < 3; ++axis) {
@@ -130,35 +122,44 @@ void addVolumeCues(const GroupParts& parts, const Members& group, const Oriented
       along[axis][i] = T_camera_box.linear().col(axis) * (cell[axis] * (i - 0.5f * (kCells - 1)));
     }
   }
+  constexpr int kAll = kCells * kCells * kCells;
+  float x[kAll], y[kAll], z[kAll];
+  int cells = 0;
+  for (const Eigen::Vector3f& on_z : along[2]) {
+    for (const Eigen::Vector3f& on_y : along[1]) {
+      for (const Eigen::Vector3f& on_x : along[0]) {
+        const Eigen::Vector3f p = (on_x + (on_y + on_z)) + T_camera_box.translation();
+        x[cells] = p.x(), y[cells] = p.y(), z[cells] = p.z();
+        ++cells;
+      }
+    }
+  }
+  int pixels[kAll];
+  const PinholeCamera& camera = frame.camera;
+  findPixels({static_cast<float>(camera.fx), static_cast<float>(camera.fy), static_cast<float>(camera.cx),
+              static_cast<float>(camera.cy), frame.width(), frame.height()},
+             x, y, z, kAll, pixels);
   int free = 0, own = 0, other = 0, unseen = 0;
-  const auto look = [&](const Eigen::Vector3f& p) {
-    const float x = fx * p.x() / p.z() + cx, y = fy * p.y() / p.z() + cy;
-    const bool in_view = p.z() > 0 && x > -0.5f && y > -0.5f && x < width - 0.5f && y < height - 0.5f;
-    const int pixel = in_view ? nearest(y) * frame.width() + nearest(x) : 0;
-    const float z = in_view ? frame.points[pixel].z() : std::numeric_limits<float>::quiet_NaN();
-    if (std::isnan(z)) {
+  for (int i = 0; i < kAll; ++i) {
+    const float seen = pixels[i] < 0 ? std::numeric_limits<float>::quiet_NaN() : frame.points[pixels[i]].z();
+    if (std::isnan(seen)) {
       ++unseen;
-    } else if (z > p.z() + kClear_m) {
+    } else if (seen > z[i] + kClear_m) {
       ++free;
     } else {
-      const int piece = parts.evidence.pieces.label(pixel);
+      const int piece = parts.evidence.pieces.label(pixels[i]);
       if (piece >= 0 && group.inside[piece]) {
         ++own;
       } else {
-        other += piece >= 0 && z < p.z() - kClear_m;
+        other += piece >= 0 && seen < z[i] - kClear_m;
       }
     }
-  };
-  for (const Eigen::Vector3f& on_z : along[2]) {
-    for (const Eigen::Vector3f& on_y : along[1]) {
-      for (const Eigen::Vector3f& on_x : along[0]) look((on_x + (on_y + on_z)) + T_camera_box.translation());
-    }
   }
-  constexpr float kAll = kCells * kCells * kCells;
-  cues.free = free / kAll;
-  cues.behind_own = own / kAll;
-  cues.behind_other = other / kAll;
-  cues.unseen = unseen / kAll;
+  constexpr float kShare = kAll;
+  cues.free = free / kShare;
+  cues.behind_own = own / kShare;
+  cues.behind_other = other / kShare;
+  cues.unseen = unseen / kShare;
 }
 
 }  // namespace objectness

@@ -17,6 +17,7 @@ constexpr int kMinPixels = 200;  // when the area is too small
 constexpr double kMaxShareOverCeiling = 0.1;
 constexpr double kTallestStack = 2.0;  // times the ceiling
 constexpr int kRowsPerBand = 60;
+constexpr int kManyParts = 10000;      // noise: sums of each in every band would take more memory than they save time
 constexpr double kWhollyInside = 0.9;  // a share of the points; the rest is noise at the outline
 
 struct Thing {
@@ -62,15 +63,16 @@ Things findThings(const Frame& frame, const Table& table, const HeightMap& map, 
       }
     }
   };
-  // Always the same bands: sums depend on how they are parted.
-  std::vector<std::vector<Thing>> in_band((mask.rows + kRowsPerBand - 1) / kRowsPerBand);
+  // Always the same bands, whatever the threads: sums depend on how they are parted.
+  const int rows_per_band = parts > kManyParts ? mask.rows : kRowsPerBand;
+  std::vector<std::vector<Thing>> in_band((mask.rows + rows_per_band - 1) / rows_per_band);
   forRowBands(
       mask.rows, threads,
       [&](int first, int last) {
-        in_band[first / kRowsPerBand].resize(parts + 1);
-        measure(first, last, in_band[first / kRowsPerBand]);
+        in_band[first / rows_per_band].resize(parts + 1);
+        measure(first, last, in_band[first / rows_per_band]);
       },
-      kRowsPerBand);
+      rows_per_band);
   std::vector<Thing> things(parts + 1);
   for (const std::vector<Thing>& band : in_band) {
     for (std::size_t k = 1; k < things.size(); ++k) things[k].add(band[k]);

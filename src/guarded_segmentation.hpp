@@ -17,6 +17,7 @@ Segmentation guardedSegmentation(const Frame& frame, const Run& run) {
   {
     const StageTimer timer(result.report.timings_ms, "total");
     try {
+      result.report.remarks = frame.remarks;
       result.labels = cv::Mat_<ushort>(frame.height(), frame.width(), static_cast<ushort>(0));
       run(result);
     } catch (const std::bad_alloc&) {

@@ -21,6 +21,7 @@ struct Report {
   StageTimes timings_ms;                                     ///< per stage, in order; "total" last
   std::vector<std::pair<std::string, std::int64_t>> counts;  ///< "boxes_sampled", "boxes_scored", "boxes_passed", ...
   std::vector<std::pair<std::string, double>> values;        ///< "selection_value", "selection_bound", ...
+  std::vector<std::string> remarks;  ///< those of the frame, and what makes the result doubtful: sentences
 };
 
 /// Everything that is known about a frame. When status is not ok(), what the stages before the failure found is kept.

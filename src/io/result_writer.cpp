@@ -65,6 +65,7 @@ std::string toJson(const std::string& input, const Segmentation& result) {
   json["input"] = input;
   json["status"] = toString(result.status.code);
   if (!result.status.ok()) json["message"] = result.status.message;
+  json["remarks"] = result.report.remarks;
   const bool has_table = result.table.d != 0;  // the camera never lies in the table's plane
   json["table"] = has_table ? toJson(result.table) : Json();
   json["objects"] = Json::array();

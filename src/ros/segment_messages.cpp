@@ -119,6 +119,8 @@ SegmentedFrame segmentMessages(const InputMessages& messages, const objectness::
       result.frame = std::move(frame.value);
       result.segmentation = model ? objectness::segment(result.frame, config, *model, cancel)
                                   : objectness::segment(result.frame, config, cancel);
+      const std::vector<std::string>& remarks = result.segmentation.report.remarks;
+      result.remarks.insert(result.remarks.end(), remarks.begin(), remarks.end());
     } else {
       result.segmentation.status = std::move(frame.status);
       result.step = 1;

@@ -45,11 +45,12 @@ void printError(const std::string& message) { printToolMessage("segment", messag
 
 /// One input from file to results; a line of what was found in `summary`.
 Status segmentInput(const std::string& input, const std::string& folder, const SegmentOptions& options,
-                    std::string& summary) {
+                    std::string& summary, std::vector<std::string>& remarks) {
   const Result<Frame> frame = loadInput(input, options.camera, options.config.input);
   if (!frame.ok()) return frame.status;
   const Segmentation result =
       options.model ? segment(frame.value, options.config, *options.model) : segment(frame.value, options.config);
+  remarks = result.report.remarks;
   if (!result.status.ok()) return result.status;
   const Status written = writeResult(folder, input, frame.value, result, options.pictures);
   std::ostringstream text;
@@ -86,10 +87,11 @@ int run(const SegmentOptions& options) {
     const std::string name = inputName(input);
     progress.show(i, name);
     std::string problem = nameProblem(input, name, taken), summary;
+    std::vector<std::string> remarks;
     if (problem.empty()) {
       const std::string folder = (fs::path(options.out) / name).string();
       try {
-        problem = segmentInput(input, folder, options, summary).message;
+        problem = segmentInput(input, folder, options, summary, remarks).message;
       } catch (const std::bad_alloc&) {
         problem = "needs more memory than there is";
       } catch (const std::exception& e) {
@@ -98,6 +100,7 @@ int run(const SegmentOptions& options) {
       if (!problem.empty()) removeResult(folder);
     }
     progress.clear();
+    for (const std::string& remark : remarks) printError(input + ": " + remark);
     if (problem.empty()) {
       std::cout << name << ": " << summary << std::endl;
     } else {

@@ -19,6 +19,8 @@ struct Frame {
   PinholeCamera camera;
   std::vector<Eigen::Vector3f> points;  ///< width * height, row-major, metres, optical frame, NaN = invalid
   cv::Mat_<cv::Vec3b> color;            ///< BGR, same size, or empty when the input carries no colour
+  /// What is unusual about the input without being in the way: sentences a user can act on.
+  std::vector<std::string> remarks;
 
   int width() const { return camera.width; }
   int height() const { return camera.height; }

@@ -10,6 +10,7 @@
 #include "objectness_segmentation/grouping/group_cost.hpp"
 #include "objectness_segmentation/grouping/hand_set.hpp"
 #include "objectness_segmentation/scene/refined_normals.hpp"
+#include "objectness_segmentation/scene/surface_check.hpp"
 #include "objectness_segmentation/search/angle_search.hpp"
 #include "objectness_segmentation/selection/hypotheses.hpp"
 
@@ -78,6 +79,8 @@ Normals seeScene(const Frame& frame, const Config& config, const Stages& stage, 
   const int threads = config.runtime.threads;
   // Sec. 2: the dominant plane, and the points above it.
   Normals normals = stage("normals", [&] { return estimateNormals(frame, config.normals, {}, threads); });
+  result.status = checkSurfaces(frame, normals);
+  if (!result.status.ok()) return normals;
   Result<Table> found = stage("table", [&] { return findTable(frame, normals, config.table, threads); });
   result.status = found.status;
   result.table = std::move(found.value);
@@ -227,7 +230,8 @@ void run(const Frame& frame, const Config& config, const LearnedObjectness* mode
     searchBoxes(frame, config, stage, result);
   }
   if (!result.status.ok()) return;
-  result.labels = labelImage(result.object_points.on_table, result.segments);
+  keepMeasured(frame.bridged, result.segments);
+  result.labels = labelImage(result.object_points.on_table, frame.bridged, result.segments);
   stage.count("segments", result.segments.size());
 }
 

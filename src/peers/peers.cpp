@@ -8,6 +8,7 @@
 #include "convex_parts.hpp"
 #include "guarded_segmentation.hpp"
 #include "mps.hpp"
+#include "objectness_segmentation/scene/surface_check.hpp"
 #include "quiet_pcl.hpp"
 
 namespace objectness {
@@ -82,6 +83,8 @@ void run(Peer peer, const Frame& frame, const Config& config, const PeersConfig&
     return work();
   };
   const Normals normals = stage("normals", [&] { return estimateNormals(frame, config.normals); });
+  result.status = checkSurfaces(frame, normals);
+  if (!result.status.ok()) return;
   const Result<Table> found = stage("table", [&] { return findTable(frame, normals, config.table); });
   result.table = found.value;
   result.status = found.status;
@@ -106,7 +109,8 @@ void run(Peer peer, const Frame& frame, const Config& config, const PeersConfig&
     }
   });
   result.segments = collectSegments(labels, static_cast<std::size_t>(min_pixels));
-  result.labels = labelImage(result.object_points.on_table, result.segments);
+  keepMeasured(frame.bridged, result.segments);
+  result.labels = labelImage(result.object_points.on_table, frame.bridged, result.segments);
   result.report.counts.emplace_back("object_points", cv::countNonZero(mask));
   result.report.counts.emplace_back("segments", result.segments.size());
 }

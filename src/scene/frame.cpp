@@ -6,6 +6,7 @@
 #include <limits>
 #include <sstream>
 
+#include "bridged_gaps.hpp"
 #include "organize.hpp"
 
 namespace objectness {
@@ -17,7 +18,7 @@ constexpr int kMismatchSamples = 5000;
 
 std::string sizeText(int width, int height) { return std::to_string(width) + " x " + std::to_string(height); }
 
-/// NaN in all three coordinates outside the depth range; kNoValidPoints when nothing is left.
+/// NaN in all three coordinates outside the depth range, small holes bridged; kNoValidPoints when nothing is left.
 Result<Frame> finish(Frame frame, const InputConfig& config) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   int finite = 0, valid = 0;
@@ -37,6 +38,7 @@ Result<Frame> finish(Frame frame, const InputConfig& config) {
     if (finite > 0) why << ": set input.min_depth_m and input.max_depth_m, or check the unit of the depth";
     return Result<Frame>::error(StatusCode::kNoValidPoints, why.str());
   }
+  bridgeGaps(config.max_gap_px, frame);
   return {{}, std::move(frame)};
 }
 

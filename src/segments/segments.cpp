@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "objectness_segmentation/common/parallel.hpp"
 #include "objectness_segmentation/segments/geodesic_assignment.hpp"
@@ -48,6 +49,31 @@ std::vector<int> followedBoxes(const CuePoints& points, const std::vector<std::v
     }
   }
   return best;
+}
+
+/// The label that all pixels around this one share but those marked kOpen; 0 when there is none.
+constexpr ushort kOpen = 65535;
+ushort sharedLabel(const cv::Mat_<ushort>& labels, int u, int v) {
+  ushort shared = kOpen;
+  for (int y = std::max(0, v - 1); y <= std::min(labels.rows - 1, v + 1); ++y) {
+    for (int x = std::max(0, u - 1); x <= std::min(labels.cols - 1, u + 1); ++x) {
+      const ushort label = labels(y, x);
+      if (label == kOpen) continue;
+      if (shared != kOpen && shared != label) return 0;
+      shared = label;
+    }
+  }
+  return shared == kOpen ? 0 : shared;
+}
+
+void labelBridged(const std::vector<int>& bridged, cv::Mat_<ushort>& labels) {
+  for (const int i : bridged) labels(i / labels.cols, i % labels.cols) = kOpen;
+  std::vector<ushort> shared;
+  shared.reserve(bridged.size());
+  for (const int i : bridged) shared.push_back(sharedLabel(labels, i % labels.cols, i / labels.cols));
+  for (std::size_t k = 0; k < bridged.size(); ++k) {
+    labels(bridged[k] / labels.cols, bridged[k] % labels.cols) = shared[k];
+  }
 }
 
 }  // namespace
@@ -100,13 +126,27 @@ std::vector<Segment> cutSegments(const Frame& frame, const Eigen::Isometry3d& T_
   return segments;
 }
 
-cv::Mat_<ushort> labelImage(const cv::Mat_<uchar>& on_table, const std::vector<Segment>& segments) {
+void keepMeasured(const std::vector<int>& bridged, std::vector<Segment>& segments) {
+  if (bridged.empty()) return;
+  for (Segment& segment : segments) {
+    std::vector<int> measured;
+    std::set_difference(segment.pixels.begin(), segment.pixels.end(), bridged.begin(), bridged.end(),
+                        std::back_inserter(measured));
+    segment.pixels = std::move(measured);
+  }
+  segments.erase(std::remove_if(segments.begin(), segments.end(), [](const Segment& s) { return s.pixels.empty(); }),
+                 segments.end());
+}
+
+cv::Mat_<ushort> labelImage(const cv::Mat_<uchar>& on_table, const std::vector<int>& bridged,
+                            const std::vector<Segment>& segments) {
   cv::Mat_<ushort> labels(on_table.size(), static_cast<ushort>(0));
   labels.setTo(1, on_table);
   for (std::size_t k = 0; k < segments.size(); ++k) {
     for (const int pixel : segments[k].pixels)
       labels(pixel / labels.cols, pixel % labels.cols) = static_cast<ushort>(k + kFirstObjectLabel);
   }
+  labelBridged(bridged, labels);
   return labels;
 }
 

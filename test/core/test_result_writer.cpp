@@ -43,6 +43,7 @@ struct Sample {
     result.report.timings_ms = {{"normals", 1.5}, {"total", 2.5}};
     result.report.counts = {{"boxes_sampled", 123456789012}, {"boxes_scored", 7}};
     result.report.values = {{"selection_gap", 0.125}};
+    result.report.remarks = {"the lens is dirty"};
   }
 };
 
@@ -52,6 +53,7 @@ TEST(ResultWriter, JsonHoldsEverything) {
   const auto json = nlohmann::json::parse(toJson("a \"scene\"", Sample().result));
   EXPECT_EQ(json["input"], "a \"scene\"");
   EXPECT_EQ(json["status"], "ok");
+  EXPECT_EQ(json["remarks"], nlohmann::json({"the lens is dirty"}));
   EXPECT_EQ(json["table"]["normal"], nlohmann::json({0.0, -1.0, 0.0}));
   EXPECT_EQ(json["table"]["d"], 0.5);
   EXPECT_EQ(json["table"]["frame"]["position"][2], -0.5);

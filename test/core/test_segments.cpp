@@ -103,7 +103,7 @@ TEST(Segments, SmallSegmentsAreDroppedAndBestComeFirst) {
   ASSERT_EQ(segments.size(), 1u);
   cv::Mat_<uchar> on_table(1, 10, static_cast<uchar>(0));
   on_table(0, 0) = on_table(0, 5) = 255;
-  const cv::Mat_<ushort> labels = labelImage(on_table, segments);
+  const cv::Mat_<ushort> labels = labelImage(on_table, {}, segments);
   EXPECT_EQ(labels(0, 0), 1);
   EXPECT_EQ(labels(0, 1), 0);
   EXPECT_EQ(labels(0, 5), 2) << "a segment's pixel is no table";

@@ -16,7 +16,7 @@ enum class StatusCode {
   kNoTable,         ///< no plane qualifies as a table
   kBadConfig,       ///< a configuration value is out of its range
   kVolumeTooLarge,  ///< the volume of interest would not fit in memory at this voxel size
-  kBadInput,        ///< a file or message that cannot be read
+  kBadInput,        ///< a file or message that cannot be read, or depth with more holes than surfaces
   kCancelled,       ///< the caller asked to stop in mid-frame
   kInternalError,   ///< an exception was caught at the border of the core
   kNoTransform,     ///< ROS: where the camera was is not known (tf)

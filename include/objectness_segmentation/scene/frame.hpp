@@ -14,11 +14,13 @@
 namespace objectness {
 
 /// One organized RGB-D view: the only input type of the core. Pixel (u, v) has index v * width + u everywhere.
-/// Made by makeFrame(), which guarantees that sizes agree and that invalid points are NaN in all three coordinates.
+/// Made by makeFrame(), which guarantees that sizes agree, that invalid points are NaN in all three coordinates, and that
+/// small holes in a surface are bridged.
 struct Frame {
   PinholeCamera camera;
   std::vector<Eigen::Vector3f> points;  ///< width * height, row-major, metres, optical frame, NaN = invalid
   cv::Mat_<cv::Vec3b> color;            ///< BGR, same size, or empty when the input carries no colour
+  std::vector<int> bridged;  ///< ascending: pixels without depth whose points are interpolated (InputConfig::max_gap_px)
   /// What is unusual about the input without being in the way: sentences a user can act on.
   std::vector<std::string> remarks;
 
@@ -37,11 +39,15 @@ struct RawCloud {
 struct InputConfig {
   double min_depth_m = 0.15;
   double max_depth_m = 6.0;
+  int max_gap_px = 2;
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("min_depth_m", self.min_depth_m, Range{0.0, 5.0}, "points nearer than this (z) are invalid");
     visit("max_depth_m", self.max_depth_m, Range{0.1, 100.0}, "points farther than this (z) are invalid");
+    visit("max_gap_px", self.max_gap_px, Range{0, 5},
+          "of depth riddled with small holes, those of up to this many pixels in a row, column or diagonal are bridged "
+          "where both sides are one surface; 0: none");
   }
 };
 

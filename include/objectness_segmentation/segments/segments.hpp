@@ -35,7 +35,7 @@ struct Segment {
   OrientedBox box;
   double objectness = 0;  ///< delta of Eq. 6, or the expected overlap with a true object (GroupHypothesis)
   CueValues cues;
-  std::vector<int> pixels;  ///< indices v * width + u, ascending; in no other segment
+  std::vector<int> pixels;  ///< indices v * width + u, ascending, of measured points; in no other segment
 };
 
 /// A selected box with the grid it is measured in.
@@ -57,7 +57,12 @@ std::vector<Segment> cutSegments(const Frame& frame, const Eigen::Isometry3d& T_
 /// What segments[0] is called in label images, clouds, messages and pictures; 1 is the table, 0 nothing.
 constexpr int kFirstObjectLabel = 2;
 
-/// The label image of Segmentation::labels: 0 nothing, 1 table, 2 + i: segments[i].
-cv::Mat_<ushort> labelImage(const cv::Mat_<uchar>& on_table, const std::vector<Segment>& segments);
+/// Takes the pixels of Frame::bridged out of the segments, and segments without any other out of the list.
+void keepMeasured(const std::vector<int>& bridged, std::vector<Segment>& segments);
+
+/// The label image of Segmentation::labels: 0 nothing, 1 table, 2 + i: segments[i]. A bridged pixel has the label that
+/// all others of its 3 x 3 neighbourhood share, otherwise 0.
+cv::Mat_<ushort> labelImage(const cv::Mat_<uchar>& on_table, const std::vector<int>& bridged,
+                            const std::vector<Segment>& segments);
 
 }  // namespace objectness

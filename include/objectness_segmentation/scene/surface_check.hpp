@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "objectness_segmentation/common/status.hpp"
+#include "objectness_segmentation/scene/normals.hpp"
+
+namespace objectness {
+
+/// kBadInput where most pixels with depth lie beside a hole or a jump on every scale, so that there are no surfaces to
+/// be segmented: sparse, torn or interleaved depth.
+Status checkSurfaces(const Frame& frame, const Normals& normals);
+
+}  // namespace objectness

@@ -1,6 +1,7 @@
 # shellcheck shell=bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Sourced by scripts/test: builds and runs under gcc's sanitizers.
+# shellcheck disable=SC2034,SC2154  # variables of the script that sources it, and for it
 
 # use_sanitizers KIND[,KIND]: a build of its own, and what its programs are told.
 use_sanitizers() {

@@ -7,8 +7,8 @@
 
 #include "convex_parts.hpp"
 #include "guarded_segmentation.hpp"
+#include "io/quiet_pcl.hpp"
 #include "mps.hpp"
-#include "quiet_pcl.hpp"
 
 namespace objectness {
 namespace {

@@ -10,10 +10,13 @@
 
 namespace objectness {
 
-/// The paper in one call: table, cues, search, filtering, selection, segments.
+/// All of it in one call: table, object points, edges and superpixels; then groups of superpixels, judged by the model
+/// that comes with the package, and the choice among them, or with config.grouping.enabled off the paper's search of
+/// boxes, their filtering and selection.
 ///
 /// The same frame and config give the same result for any number of threads (timings apart). Never throws for bad data:
-/// the reason is in Segmentation::status. `cancel`, when given, is looked at between stages and between box angles.
+/// the reason is in Segmentation::status. `cancel`, when given, is looked at between stages and, in the paper's search,
+/// between box angles.
 Segmentation segment(const Frame& frame, const Config& config, const std::atomic<bool>* cancel = nullptr);
 
 /// The same with a model of one's own in the place of defaultModel().

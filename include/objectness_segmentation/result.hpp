@@ -18,9 +18,13 @@ namespace objectness {
 
 /// What was done and how long it took: read by the tools, the messages and the diagnostics alike.
 struct Report {
-  StageTimes timings_ms;                                     ///< per stage, in order; "total" last
-  std::vector<std::pair<std::string, std::int64_t>> counts;  ///< "boxes_sampled", "boxes_scored", "boxes_passed", ...
-  std::vector<std::pair<std::string, double>> values;        ///< "selection_value", "selection_bound", ...
+  StageTimes timings_ms;  ///< per stage, in order; "total" last
+  /// "superpixels", "hypotheses", "segments"; default method: "pieces", "pairs", "selection_proven"; paper's method:
+  /// "object_points", "edge_points", "boxes_sampled", "boxes_scored", "boxes_passed", "boxes_bounded".
+  std::vector<std::pair<std::string, std::int64_t>> counts;
+  /// Default method: "selection_value", "selection_bound", "selection_gap"; paper's method: "search_threshold",
+  /// "selection_cost".
+  std::vector<std::pair<std::string, double>> values;
   std::vector<std::string> remarks;  ///< those of the frame, and what makes the result doubtful: sentences
 };
 

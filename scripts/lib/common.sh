@@ -6,13 +6,13 @@ repo_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 scripts_dir=$repo_dir/scripts
 build_dir=$repo_dir/build
 log_dir=$build_dir/logs
-noetic_setup=/opt/ros/noetic/setup.bash
 cmake_options=()  # of one kind of build
 
-# The system's own tools first: catkin's Python modules are there and not in a virtualenv's or conda's python. Another
-# workspace's paths would only mix other versions of the same packages in.
+# The system's own tools first: catkin's Python modules are there and not in a virtualenv's or conda's python.
 export PATH=/usr/bin:/bin:/usr/sbin:/sbin:$PATH
-unset PYTHONHOME PYTHONPATH CMAKE_PREFIX_PATH ROS_PACKAGE_PATH
+. "$scripts_dir/lib/ros.sh"
+choose_ros
+leave_sourced_ros
 
 say() { printf '%s\n' "$*"; }
 
@@ -81,10 +81,15 @@ build_all() {
   local testing=$1 jobs=$2 cache=$build_dir/CMakeCache.txt
   shift 2
   "$scripts_dir/install_dependencies"
-  if [ -e "$noetic_setup" ]; then source_setup "$noetic_setup"; fi
-  if [ -e "$cache" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$repo_dir" "$cache"; then
-    say "The build directory was made for another place of this checkout: building anew."
-    rm -rf "$build_dir"
+  enter_ros
+  if [ -e "$cache" ]; then
+    if ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$repo_dir" "$cache"; then
+      say "The build directory was made for another place of this checkout: building anew."
+      rm -rf "$build_dir"
+    elif built_with_other_ros "$cache"; then
+      say "The build directory was made with another ROS: building anew."
+      rm -rf "$build_dir"
+    fi
   fi
   if [ -z "$testing" ]; then
     testing=$(sed -n 's/^CATKIN_ENABLE_TESTING:BOOL=//p' "$cache" 2>/dev/null || true)

@@ -1,6 +1,7 @@
 # shellcheck shell=bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Sourced by scripts/demo: a screen where there is none, and pictures of it.
+# shellcheck disable=SC2034  # variables for the script that sources it
 
 # A picture of rviz has thousands of colours as soon as a cloud is drawn, an empty one some 800.
 least_colors=2000
@@ -40,10 +41,10 @@ start_screen() {
   Xvfb -displayfd 3 -screen 0 1280x800x24 -nolisten tcp 3>"$number_file" >"$1" 2>&1 &
   screen_pid=$!
   until_seconds 20 test -s "$number_file" || { rm -f "$number_file"; return 1; }
-  export DISPLAY=:$(tr -d '[:space:]' <"$number_file")
+  DISPLAY=:$(tr -d '[:space:]' <"$number_file")
   rm -f "$number_file"
   # Drawn by the processor, whatever graphics card there is.
-  export LIBGL_ALWAYS_SOFTWARE=1 QT_X11_NO_MITSHM=1
+  export DISPLAY LIBGL_ALWAYS_SOFTWARE=1 QT_X11_NO_MITSHM=1
 }
 
 # take_picture FILE: of the whole screen; false while it shows no cloud.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "objectness_segmentation/common/true_labels.hpp"
 #include "objectness_segmentation/evaluation/box_overlap.hpp"
 
 namespace objectness::evaluation {
@@ -23,12 +24,12 @@ void measureBestBox(const Frame& frame, const Segmentation& result, const cv::Ma
   std::map<int, int> shared, size;
   for (int i = 0; i < frame.size(); ++i) {
     const int v = i / frame.width(), u = i % frame.width();
-    const int object = objectOf(labels(v, u));
-    if (object > 0) ++size[object];
+    const int object = trueObject(labels(v, u));
+    if (object >= 0) ++size[object];
     if (labels(v, u) == 0 || !result.object_points.mask(v, u)) continue;
     if (!holds(box, T_box_camera, frame.points[i], margin_m)) continue;
     ++inside;
-    if (object > 0) ++shared[object];
+    if (object >= 0) ++shared[object];
   }
   int most = 0;
   for (const auto& [object, count] : shared) {

@@ -6,12 +6,12 @@
 
 #include "boundary.hpp"
 #include "objectness_segmentation/common/assignment.hpp"
+#include "objectness_segmentation/common/true_labels.hpp"
 #include "objectness_segmentation/segments/segments.hpp"
 
 namespace objectness::evaluation {
 namespace {
 
-constexpr int kPartsAnObject = 10, kFirstTruePart = 10;
 constexpr double kFoundDice = 0.75;
 
 double harmonic(double p, double r) { return p + r > 0 ? 2 * p * r / (p + r) : 0; }
@@ -92,10 +92,10 @@ cv::Mat_<ushort> truthAtLevel(const cv::Mat_<ushort>& annotation, Level level) {
   cv::Mat_<ushort> truth = annotation.clone();
   for (ushort& label : truth) {
     if (label == 0) continue;
-    if (label < kFirstTruePart) {
+    if (label < kFirstTrueLabel) {
       label = 1;
     } else if (level == Level::kObject) {
-      label /= kPartsAnObject;
+      label = static_cast<ushort>(kFirstObjectLabel + trueObject(label));
     }
   }
   return truth;

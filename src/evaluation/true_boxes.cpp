@@ -12,6 +12,7 @@
 #include "io/file_access.hpp"
 #include "io/yaml_text.hpp"
 #include "objectness_segmentation/common/angles.hpp"
+#include "objectness_segmentation/common/true_labels.hpp"
 
 namespace objectness::evaluation {
 namespace {
@@ -27,7 +28,7 @@ std::vector<double> readNumbers(const YAML::Node& node, std::size_t count) {
 
 TrueBox readBox(const YAML::Node& node) {
   TrueBox truth;
-  truth.object = objectOf(node["label"].as<int>());
+  truth.object = trueObject(node["label"].as<int>());
   const auto size = readNumbers(node["size_m"], 3), at = readNumbers(node["T_camera_box"]["position"], 3),
              q = readNumbers(node["T_camera_box"]["orientation_xyzw"], 4);
   truth.box.size_m = Eigen::Vector3d(size.data());
@@ -40,21 +41,21 @@ TrueBox readBox(const YAML::Node& node) {
   return truth;
 }
 
-/// The object of each pixel that lies on its surface: 2, 3, ...; 0 = none.
-cv::Mat_<ushort> surfacePixels(const Frame& frame, const cv::Mat_<ushort>& labels) {
-  cv::Mat_<ushort> objects(labels.size(), static_cast<ushort>(0));
+/// The trueObject() of each pixel that lies on its surface, -1 of all others.
+cv::Mat_<int> surfacePixels(const Frame& frame, const cv::Mat_<ushort>& labels) {
+  cv::Mat_<int> objects(labels.size(), -1);
   for (int v = 1; v + 1 < labels.rows; ++v) {
     for (int u = 1; u + 1 < labels.cols; ++u) {
       const Eigen::Vector3f& p = frame.points[v * labels.cols + u];
-      const int object = objectOf(labels(v, u));
+      const int object = trueObject(labels(v, u));
       int neighbors = -1;  // the pixel itself
       for (int dv = -1; dv <= 1; ++dv) {
         for (int du = -1; du <= 1; ++du) {
           const Eigen::Vector3f& q = frame.points[(v + dv) * labels.cols + u + du];
-          neighbors += objectOf(labels(v + dv, u + du)) == object && (p - q).norm() < kNeighbor_m;
+          neighbors += trueObject(labels(v + dv, u + du)) == object && (p - q).norm() < kNeighbor_m;
         }
       }
-      if (neighbors >= kMinNeighbors) objects(v, u) = static_cast<ushort>(object);
+      if (neighbors >= kMinNeighbors) objects(v, u) = object;
     }
   }
   return objects;
@@ -88,12 +89,12 @@ Result<std::vector<TrueBox>> loadTrueBoxes(const std::string& scene_folder) {
 }
 
 std::vector<TrueBox> fitTrueBoxes(const Frame& frame, const Table& table, const cv::Mat_<ushort>& labels) {
-  const cv::Mat_<ushort> objects = surfacePixels(frame, labels);
+  const cv::Mat_<int> objects = surfacePixels(frame, labels);
   std::map<int, std::vector<cv::Point2f>> footprints;
   std::map<int, double> tops_m;
   for (int i = 0; i < frame.size(); ++i) {
     const int object = objects(i / frame.width(), i % frame.width());
-    if (object == 0) continue;
+    if (object < 0) continue;
     const Eigen::Vector3d p = table.T_table_camera * frame.points[i].cast<double>();
     footprints[object].emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()));
     tops_m[object] = std::max(tops_m[object], p.z());
@@ -114,7 +115,7 @@ Result<std::vector<TrueBox>> findTrueBoxes(const std::string& scene_folder, cons
     return result;
   }
   std::set<int> seen;
-  for (const ushort label : labels) seen.insert(objectOf(label));
+  for (const ushort label : labels) seen.insert(trueObject(label));
   const auto hidden = [&](const TrueBox& truth) { return seen.count(truth.object) == 0; };
   result.value.erase(std::remove_if(result.value.begin(), result.value.end(), hidden), result.value.end());
   return result;

@@ -31,7 +31,7 @@ class OcclusionMap {
   /// Of the column whose centre is there (table frame, metres).
   Groups at(double x_m, double y_m) const;
 
-  const DepthView& view() const { return view_; }
+  const TransposedDepth& view() const { return view_; }
 
  private:
   void copyDepth(const Frame& frame, bool unknown_is_occluded, int threads);
@@ -46,7 +46,7 @@ class OcclusionMap {
   std::vector<float> block_low_, block_high_;
   int blocks_v_;
   std::vector<Groups> cells_;
-  DepthView view_;
+  TransposedDepth view_;
 };
 
 }  // namespace objectness

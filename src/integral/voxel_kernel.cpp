@@ -63,7 +63,7 @@ void indexRange(const std::int32_t* index, int count, int& low, int& high) {
 }
 
 OBJECTNESS_CLONES("avx2")
-unsigned occludedOfEight(const DepthView& view, const double lowest[3], const double step[3], int first) {
+unsigned occludedOfEight(const TransposedDepth& view, const double lowest[3], const double step[3], int first) {
   constexpr int kLanes = 8;
   double u[kLanes], v[kLanes], depth[kLanes];
   std::int32_t pixel[kLanes];

@@ -25,7 +25,7 @@ void turnedBounds(const float* x, const float* y, int count, float c, float s, f
 void indexRange(const std::int32_t* index, int count, int& low, int& high);
 
 /// A depth image, transposed (v runs fastest), in which missing pixels are infinitely far or near.
-struct DepthView {
+struct TransposedDepth {
   const float* depth;
   int width, height;
   double fx, fy, cx, cy;
@@ -33,6 +33,6 @@ struct DepthView {
 };
 
 /// isOccluded() of the eight points lowest + (first + i) * step (camera frame, metres); bit i for each.
-unsigned occludedOfEight(const DepthView& view, const double lowest[3], const double step[3], int first);
+unsigned occludedOfEight(const TransposedDepth& view, const double lowest[3], const double step[3], int first);
 
 }  // namespace objectness

@@ -2,28 +2,16 @@
 #include "objectness_segmentation/io/pcd_file.hpp"
 
 #include <pcl/PCLPointCloud2.h>
-#include <pcl/console/print.h>
 #include <pcl/io/pcd_io.h>
 
 #include <array>
 #include <cstring>
 
 #include "pcd_header.hpp"
+#include "quiet_pcl.hpp"
 
 namespace objectness {
 namespace {
-
-/// PCL reports on the console; the caller gets a Status instead.
-class QuietPcl {
- public:
-  QuietPcl() { pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); }
-  ~QuietPcl() { pcl::console::setVerbosityLevel(before_); }
-  QuietPcl(const QuietPcl&) = delete;
-  QuietPcl& operator=(const QuietPcl&) = delete;
-
- private:
-  pcl::console::VERBOSITY_LEVEL before_ = pcl::console::getVerbosityLevel();
-};
 
 const pcl::PCLPointField* findField(const pcl::PCLPointCloud2& cloud, const std::string& name) {
   for (const auto& field : cloud.fields) {
@@ -76,7 +64,7 @@ Result<RawCloud> toRawCloud(const pcl::PCLPointCloud2& cloud) {
 Result<RawCloud> loadPcd(const std::string& path) {
   const Result<PcdLayout> header = checkPcdHeader(path);
   if (!header.ok()) return Result<RawCloud>::error(header.status);
-  const QuietPcl quiet;
+  const QuietPcl quiet;  // the caller gets a Status instead
   try {
     pcl::PCLPointCloud2 cloud;
     Eigen::Vector4f origin;

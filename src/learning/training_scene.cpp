@@ -3,27 +3,23 @@
 
 #include <algorithm>
 
+#include "objectness_segmentation/common/true_labels.hpp"
 #include "objectness_segmentation/learning/cue_list.hpp"
 #include "objectness_segmentation/scene/refined_normals.hpp"
 
 namespace objectness {
 namespace {
 
-constexpr int kLabelsPerObject = 10;  // 20..29 are the parts of the first object
-
-/// Index of the true object of a label, -1 for void and table.
-int objectOf(ushort label) { return label < 2 * kLabelsPerObject ? -1 : label / kLabelsPerObject - 2; }
-
 /// Pixels that pieces and objects have in common; fills the rest of what is known of the truth from it.
 void compare(const cv::Mat_<ushort>& truth, TrainingScene& scene) {
   int objects = 0;
-  for (const ushort label : truth) objects = std::max(objects, objectOf(label) + 1);
+  for (const ushort label : truth) objects = std::max(objects, trueObject(label) + 1);
   scene.object_size.assign(objects, 0);
   const int pieces = scene.graph.pieces.count();
   scene.shared = cv::Mat_<int>::zeros(pieces, std::max(1, objects));
   std::vector<int> labelled(pieces, 0);
   for (int i = 0; i < scene.frame.size(); ++i) {
-    const int object = objectOf(truth(i)), piece = scene.graph.pieces.label(i);
+    const int object = trueObject(truth(i)), piece = scene.graph.pieces.label(i);
     if (object >= 0) ++scene.object_size[object];
     if (piece < 0 || truth(i) == 0) continue;
     ++labelled[piece];

@@ -7,9 +7,9 @@
 
 #include "convex_parts.hpp"
 #include "guarded_segmentation.hpp"
+#include "io/quiet_pcl.hpp"
 #include "mps.hpp"
 #include "objectness_segmentation/scene/surface_check.hpp"
-#include "quiet_pcl.hpp"
 
 namespace objectness {
 namespace {

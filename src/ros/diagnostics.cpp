@@ -62,7 +62,7 @@ void describe(const FrameStatistics::Snapshot& snapshot, const InputState& input
   status.add("camera_infos received", inputs.camera_infos_seen);
   status.add("last status", objectness::toString(snapshot.last_status.code));
   status.add("last number of objects", snapshot.last_objects);
-  status.add("last boxes scored", snapshot.last_boxes_scored);
+  status.add("last boxes or groups scored", snapshot.last_boxes_scored);
   for (const auto& [stage, milliseconds] : snapshot.mean_stages_ms) {
     status.addf("mean " + stage + " [ms]", "%.1f", milliseconds);
   }

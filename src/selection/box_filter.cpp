@@ -53,9 +53,9 @@ class Clusters {
 };
 
 /// The boxes kept so far, found by how many points they hold.
-class KeptBoxes {
+class KeptHypotheses {
  public:
-  KeptBoxes(const std::vector<BoxHypothesis>& hypotheses, const FilterConfig& config)
+  KeptHypotheses(const std::vector<BoxHypothesis>& hypotheses, const FilterConfig& config)
       : hypotheses_(hypotheses), config_(config) {}
 
   void add(int index, int points, int cluster) { with_points_[points].push_back({index, cluster}); }
@@ -92,7 +92,7 @@ std::vector<BoxHypothesis> filterBoxes(const std::vector<ScoredBox>& boxes, cons
   Clusters clusters(config.cluster_radius_m);
   std::vector<int> members;  // per cluster: boxes looked at so far
   std::vector<BoxHypothesis> hypotheses;
-  KeptBoxes kept(hypotheses, config);
+  KeptHypotheses kept(hypotheses, config);
   for (const auto& scored : boxes) {
     const int cluster = clusters.assign(centreOf(scored.box, grids[scored.box.angle]));
     if (cluster == static_cast<int>(members.size())) members.push_back(0);

@@ -2,6 +2,7 @@
 #include "objectness_segmentation/sim/demo_scene.hpp"
 
 #include "objectness_segmentation/common/angles.hpp"
+#include "objectness_segmentation/common/true_labels.hpp"
 #include "objectness_segmentation/sim/profiles.hpp"
 #include "objectness_segmentation/sim/random.hpp"
 
@@ -48,7 +49,7 @@ Scene makeDemoScene(std::uint32_t seed) {
     const double x = item.x + random.uniform(-kJitter_m, kJitter_m);
     const double y = item.y + random.uniform(-kJitter_m, kJitter_m);
     const double yaw_deg = item.yaw_deg + random.uniform(-kJitter_deg, kJitter_deg);
-    const int label = objectLabel(scene.objects.size());
+    const int label = trueLabel(scene.objects.size());
     const Body body = place(item.shape, x, y, 0, yaw_deg, item.color, label);
     const Eigen::AlignedBox3d box = bounds(item.shape);
     scene.bodies.push_back(body);

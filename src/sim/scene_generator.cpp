@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "arrangement.hpp"
+#include "objectness_segmentation/common/true_labels.hpp"
 #include "objectness_segmentation/sim/surface_view.hpp"
 
 namespace objectness::sim {
@@ -50,7 +51,7 @@ Scene assemble(const std::string& level, const std::vector<Body>& room, const st
                const Viewpoint& viewpoint, Random& random) {
   Scene scene{level, room, {}, viewpoint.T_world_camera, viewpoint.target};
   for (const Placed& placed : things) {
-    const int label = objectLabel(scene.objects.size());
+    const int label = trueLabel(scene.objects.size());
     const cv::Vec3b color = drawColor(random);
     for (const Shape& part : placed.thing.parts) {
       scene.bodies.push_back({part, placed.T_world_thing, color, static_cast<ushort>(label)});

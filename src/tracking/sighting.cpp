@@ -30,7 +30,7 @@ double similarity(const Sighting& a, const Sighting& b) {
 
 }  // namespace
 
-DepthView::DepthView(const Frame& frame, const Eigen::Isometry3d& T_fixed_camera)
+PosedDepthImage::PosedDepthImage(const Frame& frame, const Eigen::Isometry3d& T_fixed_camera)
     : camera(frame.camera), depth_m(frame.height(), frame.width()), T_camera_fixed(T_fixed_camera.inverse()) {
   std::transform(frame.points.begin(), frame.points.end(), depth_m.begin(), [](const auto& p) { return p.z(); });
 }
@@ -65,7 +65,7 @@ double SurfaceCells::shareWithin(const SurfaceCells& other) const {
   return static_cast<double>(within) / static_cast<double>(last_seen_.size());
 }
 
-double SurfaceCells::shareSeenThrough(const DepthView& view) const {
+double SurfaceCells::shareSeenThrough(const PosedDepthImage& view) const {
   constexpr double kReach[][2] = {{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}};
   std::size_t through = 0;
   for (const auto& cell : last_seen_) {
@@ -96,7 +96,7 @@ Sighting makeSighting(const Frame& frame, const Segment& segment, const Eigen::I
   return sighting;
 }
 
-bool isElsewhere(const Sighting& sighting, const DepthView& view) {
+bool isElsewhere(const Sighting& sighting, const PosedDepthImage& view) {
   return sighting.surface.shareSeenThrough(view) > kElsewhereShare;
 }
 

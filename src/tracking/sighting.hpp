@@ -10,14 +10,14 @@
 
 namespace objectness {
 
-/// What one frame measured, to be looked up from the fixed frame.
-struct DepthView {
+/// The depth image of one frame with the pose of its camera, to be looked up from the fixed frame.
+struct PosedDepthImage {
   PinholeCamera camera;
   cv::Mat_<float> depth_m;  ///< NaN: nothing measured
   Eigen::Isometry3d T_camera_fixed = Eigen::Isometry3d::Identity();
 
-  DepthView() = default;
-  DepthView(const Frame& frame, const Eigen::Isometry3d& T_fixed_camera);
+  PosedDepthImage() = default;
+  PosedDepthImage(const Frame& frame, const Eigen::Isometry3d& T_fixed_camera);
 };
 
 /// A surface as the cells of a lattice in the fixed frame that hold points of it.
@@ -30,7 +30,7 @@ class SurfaceCells {
   /// camera's pose and the depth may be.
   double shareWithin(const SurfaceCells& other) const;
   /// Share of the cells that the view looks through: what is measured there lies clearly behind them.
-  double shareSeenThrough(const DepthView& view) const;
+  double shareSeenThrough(const PosedDepthImage& view) const;
 
  private:
   std::unordered_map<std::uint64_t, int> last_seen_;  ///< frame number by cell
@@ -58,6 +58,6 @@ struct Agreement {
 Agreement agree(const Sighting& before, const Sighting& now, bool in_place, const TrackingConfig& config);
 
 /// Whether the view shows that the thing is not where it was seen in another frame.
-bool isElsewhere(const Sighting& sighting, const DepthView& view);
+bool isElsewhere(const Sighting& sighting, const PosedDepthImage& view);
 
 }  // namespace objectness

@@ -55,7 +55,7 @@ std::vector<Identity> Tracker::update(const Frame& frame, const std::vector<Segm
 
   std::vector<Sighting> sightings;
   for (const Segment& segment : segments) sightings.push_back(makeSighting(frame, segment, T_fixed_camera, frames_));
-  auto view = std::make_unique<DepthView>(frame, T_fixed_camera);
+  auto view = std::make_unique<PosedDepthImage>(frame, T_fixed_camera);
   std::vector<bool> arrived;
   for (const Sighting& sighting : sightings) arrived.push_back(last_view_ && isElsewhere(sighting, *last_view_));
   Eigen::MatrixXd gains(tracks_.size(), sightings.size());

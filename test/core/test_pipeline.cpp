@@ -24,6 +24,11 @@ Scene tableTop() {
   return scene;
 }
 
+Surface moved(const Surface& surface, const Eigen::Isometry3d& T_world_surface) {
+  const Eigen::Isometry3d T = T_world_surface.inverse();
+  return [=](const Eigen::Vector3d& o, const Eigen::Vector3d& d) { return surface(T * o, T.linear() * d); };
+}
+
 /// The paper's method, quick.
 Config quickConfig() {
   Config config;
@@ -140,6 +145,43 @@ TEST(Pipeline, ReportsWhatWasDone) {
   EXPECT_GT(countOf(result, "boxes_scored"), countOf(result, "boxes_passed"));
   EXPECT_GT(countOf(result, "boxes_passed"), countOf(result, "hypotheses"));
   EXPECT_EQ(countOf(result, "segments"), 3);
+}
+
+// What the messages and result.hpp say of each method.
+TEST(Pipeline, WithThePapersMethodBoxesStandAndObjectnessIsEq6) {
+  Scene scene = tableTop();
+  const Config config = quickConfig();
+  const Segmentation result = segment(scene.render(), config);
+  ASSERT_FALSE(result.segments.empty());
+  for (const Segment& segment : result.segments) {
+    EXPECT_NEAR(segment.box.T_camera_box.linear().col(2).dot(result.table.normal), 1, 1e-9);
+    EXPECT_GE(segment.objectness, config.filter.threshold);
+    EXPECT_NEAR(segment.objectness, objectness::objectness(segment.cues, config.objectness), 1e-5);
+  }
+  EXPECT_GT(countOf(result, "boxes_sampled"), 0);
+}
+
+TEST(Pipeline, WithTheDefaultMethodBoxesMayLeanAndObjectnessIsAShare) {
+  Scene scene = tableTop();
+  // A board that leans by 40 degrees.
+  Eigen::Isometry3d T_world_board(Eigen::Translation3d(0.45, -0.15, 0.083));
+  T_world_board.rotate(Eigen::AngleAxisd(-40 * M_PI / 180, Eigen::Vector3d::UnitX()));
+  scene.surfaces.push_back(moved(box({-0.08, -0.01, -0.1}, {0.08, 0.01, 0.1}), T_world_board));
+  const Segmentation result = segment(scene.render(), Config{});
+  ASSERT_TRUE(result.status.ok()) << result.status.message;
+  ASSERT_FALSE(result.segments.empty());
+  bool tilted = false;
+  for (const Segment& segment : result.segments) {
+    const Eigen::Vector3d cosines = segment.box.T_camera_box.linear().transpose() * result.table.normal;
+    EXPECT_GE(cosines.z() + 1e-6, cosines.head<2>().cwiseAbs().maxCoeff()) << "z is the axis nearest to the normal";
+    tilted = tilted || cosines.z() < std::cos(20 * M_PI / 180);
+    for (const double share : {segment.objectness, double(segment.cues.free_space)}) {
+      EXPECT_GE(share, 0);
+      EXPECT_LE(share, 1);
+    }
+  }
+  EXPECT_TRUE(tilted);
+  for (const auto& count : result.report.counts) EXPECT_NE(count.first.substr(0, 6), "boxes_");
 }
 
 TEST(Pipeline, AnEmptyTableIsAValidResult) {

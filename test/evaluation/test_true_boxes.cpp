@@ -47,8 +47,8 @@ TEST(TrueBoxes, FittedBoxesAreThoseOfTheModel) {
   const CueView view = twoBoxes();
   const std::vector<TrueBox> boxes = fitTrueBoxes(view.frame, view.table, labelsOf(view));
   ASSERT_EQ(boxes.size(), 2u);
-  EXPECT_EQ(boxes[0].object, 2);
-  EXPECT_EQ(boxes[1].object, 3);
+  EXPECT_EQ(boxes[0].object, 0);
+  EXPECT_EQ(boxes[1].object, 1);
   EXPECT_GT(boxOverlap(boxes[0].box, boxOf(view, {-0.2, 0, 0}, {-0.05, 0.1, 0.12})), 0.93);
   EXPECT_GT(boxOverlap(boxes[1].box, boxOf(view, {0.1, 0, 0}, {0.2, 0.2, 0.06})), 0.93);
 }
@@ -72,7 +72,7 @@ TEST(TrueBoxes, AreReadFromTheSceneFolder) {
   const auto boxes = loadTrueBoxes(folder.path());
   ASSERT_TRUE(boxes.ok()) << boxes.status.message;
   ASSERT_EQ(boxes.value.size(), 2u);
-  EXPECT_EQ(boxes.value[0].object, 2);
+  EXPECT_EQ(boxes.value[0].object, 0);
   EXPECT_EQ(boxes.value[0].box.size_m, Vector3d(0.1, 0.2, 0.3));
   EXPECT_TRUE((boxes.value[0].box.T_camera_box * Vector3d(1, 0, 0)).isApprox(Vector3d(0, 2, 3))) << "half a turn";
 }

@@ -34,10 +34,10 @@ class LoopedBag : public Playback {
 TEST_F(LoopedBag, IsAnsweredOverEveryJumpBackInTime) {
   BagPlayer player(play({"--clock", "--hz=100", "--loop"}));
   for (int jump = 1; jump <= 2; ++jump) {
-    ASSERT_TRUE(waitUntil([&] { return jumps() >= jump; })) << "no answers after the jump";
+    ASSERT_TRUE(waitUntil([&] { return jumps() >= jump; }, kPatience_s)) << "no answers after the jump";
     const std::size_t answers = answers_.size(), reports = reports_.size();
-    EXPECT_TRUE(waitUntil([&] { return answers_.size() > answers; })) << "the node fell silent";
-    ASSERT_TRUE(waitUntil([&] { return reports_.size() >= reports + 2; })) << "its diagnostics did";
+    EXPECT_TRUE(waitUntil([&] { return answers_.size() > answers; }, kPatience_s)) << "the node fell silent";
+    ASSERT_TRUE(waitUntil([&] { return reports_.size() >= reports + 2; }, kPatience_s)) << "its diagnostics did";
     EXPECT_EQ(reports_.back().level, diagnostic_msgs::DiagnosticStatus::OK) << reports_.back().message;
     EXPECT_EQ(reports_.back().message, "segmenting");
   }

@@ -11,7 +11,6 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <array>
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +18,7 @@
 #include "fixtures/ray_cast.hpp"
 #include "fixtures/ros_messages.hpp"
 #include "objectness_segmentation/ros/scene_messages.hpp"
+#include "wait_until.hpp"
 
 namespace objectness_test {
 
@@ -26,18 +26,7 @@ using objectness_segmentation::SegmentedObjectArray;
 using objectness_segmentation::SegmentedObjectArrayConstPtr;
 using sensor_msgs::PointCloud2;
 
-constexpr double kTimeout = 60;  // seconds, wall time
 constexpr char kNode[] = "/segment_objects";
-
-inline bool waitUntil(const std::function<bool()>& condition, double seconds = kTimeout) {
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(seconds);
-  while (!condition()) {
-    if (ros::WallTime::now() > end || !ros::ok()) return false;
-    ros::spinOnce();
-    ros::WallDuration(0.005).sleep();
-  }
-  return true;
-}
 
 /// The newest message of a topic.
 template <class Message>

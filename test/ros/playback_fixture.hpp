@@ -7,7 +7,6 @@
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,6 +16,7 @@
 #include "objectness_segmentation/ros/scene_bag_writer.hpp"
 #include "objectness_segmentation/ros/topics.hpp"
 #include "objectness_segmentation/sim/demo_scene.hpp"
+#include "wait_until.hpp"
 
 namespace objectness_test {
 
@@ -25,16 +25,6 @@ using objectness_segmentation::SegmentedObjectArray;
 using objectness_segmentation::SegmentedObjectArrayConstPtr;
 
 constexpr double kPatience_s = 120;  // wall time; much more than any machine needs
-
-inline bool waitUntil(const std::function<bool()>& condition, double seconds = kPatience_s) {
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(seconds);
-  while (!condition()) {
-    if (ros::WallTime::now() > end || !ros::ok()) return false;
-    ros::spinOnce();
-    ros::WallDuration(0.01).sleep();
-  }
-  return true;
-}
 
 /// The demo scene from a camera that moves for 3 s, played to the node; and what the node answers.
 class Playback : public testing::Test {
@@ -62,7 +52,7 @@ class Playback : public testing::Test {
     subscriber_ = nh_.subscribe<SegmentedObjectArray>(
         "/segment_objects/objects", 1000,
         [this](const SegmentedObjectArrayConstPtr& answer) { answers_.push_back(answer); });
-    ASSERT_TRUE(waitUntil([&] { return subscriber_.getNumPublishers() > 0; }));
+    ASSERT_TRUE(waitUntil([&] { return subscriber_.getNumPublishers() > 0; }, kPatience_s));
   }
 
   static std::vector<std::string> play(const std::vector<std::string>& options) {
@@ -92,7 +82,7 @@ class Playback : public testing::Test {
     return dropped;
   }
   bool waitForAnswerTo(const ros::Time& stamp) {
-    return waitUntil([&] { return !answers_.empty() && answers_.back()->header.stamp == stamp; });
+    return waitUntil([&] { return !answers_.empty() && answers_.back()->header.stamp == stamp; }, kPatience_s);
   }
 
   ros::NodeHandle nh_;

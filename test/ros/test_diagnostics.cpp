@@ -102,7 +102,7 @@ TEST(Diagnostics, HoldRemarksStagesAndBoxes) {
   EXPECT_EQ(values["mean normals [ms]"], "15.0");
   EXPECT_EQ(values["mean table [ms]"], "5.0");
   EXPECT_EQ(values["mean selection [ms]"], "1.0");
-  EXPECT_EQ(values["last boxes scored"], "30");
+  EXPECT_EQ(values["last boxes or groups scored"], "30");
   EXPECT_TRUE(statistics.take().mean_stages_ms.empty());
 }
 

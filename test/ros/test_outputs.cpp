@@ -52,6 +52,13 @@ TEST(ObjectsMessage, HoldsWhatTheSegmentationHolds) {
   }
 }
 
+TEST(ObjectsMessage, CountsNoBoxesWhereNoneWereSampled) {
+  SegmentedFrame result = makeResult();
+  result.segmentation.report.counts = {{"hypotheses", 7}};
+  const SegmentedObjectArray message = toObjectsMessage(result, makeHeader());
+  EXPECT_EQ(message.boxes_sampled + message.boxes_scored + message.boxes_passed, 0u);
+}
+
 TEST(ObjectsMessage, CloudsHoldTheFramesPoints) {
   const objectness::Frame frame = makeSmallFrame();
   SegmentedObjectArray message = toObjectsMessage(makeResult(frame), makeHeader());

@@ -16,8 +16,7 @@ enum class Level {
 /// "object", "part".
 const char* toString(Level level);
 
-/// Truth as scenes store it (0 void, 1-9 table, 20-29 the parts of object 1, 30-39 of object 2, ...) to 0 void, 1
-/// table, 2 and above one label an object of this level.
+/// Truth as scenes store it (common/true_labels.hpp) to 0 void, 1 table, 2 and above one label an object of this level.
 cv::Mat_<ushort> truthAtLevel(const cv::Mat_<ushort>& annotation, Level level);
 
 /// How well the segments of a scene fit its true objects. Pixels of void truth count nowhere; the table's pixels of a

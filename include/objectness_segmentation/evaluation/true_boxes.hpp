@@ -10,11 +10,8 @@
 
 namespace objectness::evaluation {
 
-/// The object that a label of a true label image belongs to: 2 for 20 to 29, 3 for 30 to 39, ...; 0 for void and table.
-constexpr int objectOf(int true_label) { return true_label >= 20 ? true_label / 10 : 0; }
-
 struct TrueBox {
-  int object = 0;  ///< objectOf() its labels
+  int object = -1;  ///< trueObject() of its labels
   OrientedBox box;
 };
 

@@ -82,7 +82,7 @@ struct GroupHypothesis {
   std::vector<int> pieces;  ///< ascending
   OrientedBox box;          ///< camera's optical frame
   GroupCues cues;
-  float objectness = 0;  ///< expected overlap with a true object, 0..1: see judgeGroups()
+  float objectness = 0;  ///< 0..1: expected overlap with a true object (judgeGroups()), or judgeGroupsByHand()
 };
 
 /// What groups are judged by; must outlive the scorer.

@@ -17,8 +17,7 @@ struct SceneImages {
   PinholeCamera camera;
   cv::Mat_<ushort> depth_mm;  ///< H x W, 0 = none
   cv::Mat_<cv::Vec3b> color;  ///< H x W, BGR
-  /// H x W: 0 void, 1 table, 10 * (k + 1) and the nine above it: the parts of object k = 1, 2, ...
-  cv::Mat_<ushort> true_labels;
+  cv::Mat_<ushort> true_labels;  ///< H x W, as common/true_labels.hpp says
 };
 
 /// Writes depth.png, color.png, camera.yaml and labels.png into `folder`, which is made.

@@ -23,7 +23,7 @@ struct Box {
   friend bool operator==(const Box& a, const Box& b) { return a.key() == b.key(); }
 };
 
-/// The cues of one box, paper Eq. 1, 2, 4 and 5.
+/// The cues of one box, paper Eq. 1, 2, 4 and 5. What those of a segment of the default method are: see Segment.
 struct CueValues {
   float edge_density = 0;  ///< delta_i, Eq. 1, clipped at max_edge_density
   float outer_edges = 0;   ///< delta_o, Eq. 2
@@ -43,7 +43,8 @@ inline bool better(const ScoredBox& a, const ScoredBox& b) {
   return a.objectness != b.objectness ? a.objectness > b.objectness : a.box.key() < b.box.key();
 }
 
-/// A box in the world: centre and axes in the camera's optical frame, z along the table's normal.
+/// A box in the world: centre and axes in the camera's optical frame. z points away from the table: along its normal
+/// (boxes of the sampling), or, where boxes may be tilted, it is the axis nearest to the normal (tightBox()).
 struct OrientedBox {
   Eigen::Isometry3d T_camera_box = Eigen::Isometry3d::Identity();
   Eigen::Vector3d size_m = Eigen::Vector3d::Zero();
@@ -51,7 +52,7 @@ struct OrientedBox {
 
 struct RankedBox {
   OrientedBox box;
-  double objectness = 0;
+  double objectness = 0;  ///< as Segment::objectness
 };
 
 }  // namespace objectness

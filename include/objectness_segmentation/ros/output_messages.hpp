@@ -16,7 +16,7 @@ struct FrameFacts {
 };
 
 /// The messages about one frame, for topics::kObjects, kSegments and kMarkers, each made when asked for. All carry the
-/// header of the input cloud. Holds references: lives no longer than what it was made of.
+/// given header. Holds references: lives no longer than what it was made of.
 class OutputMessages {
  public:
   OutputMessages(const SegmentedFrame& result, const std_msgs::Header& header, const FrameFacts& facts)

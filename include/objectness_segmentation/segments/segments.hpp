@@ -18,14 +18,16 @@ struct SegmentsConfig {
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
-    visit("follow_superpixels", self.follow_superpixels,
-          "whole superpixels follow the box that holds most of them, other points their nearest segment; "
-          "off: the pixels of the paper's plain boxes");
+    visit(
+        "follow_superpixels", self.follow_superpixels,
+        "paper's boxes: whole superpixels follow the box that holds most of them, other points their nearest segment; "
+        "off: the pixels within the box");
     visit("min_superpixel_share", self.min_superpixel_share, Range{0, 1},
-          "a superpixel follows a box that holds at least this share of it");
+          "paper's boxes: a superpixel follows a box that holds at least this share of it");
     visit("max_reach_m", self.max_reach_m, Range{0, 0.5},
-          "how far along the surface a point follows its nearest segment");
-    visit("max_step_m", self.max_step_m, Range{0.001, 0.1}, "neighbouring pixels farther apart are not on one surface");
+          "paper's boxes: how far along the surface a point follows its nearest segment");
+    visit("max_step_m", self.max_step_m, Range{0.001, 0.1},
+          "paper's boxes: neighbouring pixels farther apart are not on one surface");
     visit("min_pixels", self.min_pixels, Range{1, 100000}, "smaller segments are dropped");
   }
 };
@@ -33,7 +35,9 @@ struct SegmentsConfig {
 /// One object: its box and the pixels that are its own.
 struct Segment {
   OrientedBox box;
-  double objectness = 0;  ///< delta of Eq. 6, or the expected overlap with a true object (GroupHypothesis)
+  double objectness = 0;  ///< paper's method: delta of Eq. 6; default: expected overlap with an object, 0..1
+  /// Paper's method: as CueValues says. Default: edge_density, outer_edges and straddling of GroupCues, free_space is
+  /// GroupCues::free (a share of the box's volume), free_voxels 0.
   CueValues cues;
   std::vector<int> pixels;  ///< indices v * width + u, ascending, of measured points; in no other segment
 };

@@ -9,13 +9,10 @@
 
 namespace objectness::sim {
 
-/// The label of object 0, 1, ... of a scene in true label images: 20, 30, ...
-constexpr int objectLabel(std::size_t index) { return 20 + 10 * static_cast<int>(index); }
-
 /// What is on the table, as the truth of it.
 struct SceneObject {
   std::string kind;                                               ///< "box", "mug", ...
-  int label = 0;                                                  ///< objectLabel()
+  int label = 0;                                                  ///< trueLabel()
   Eigen::Isometry3d T_world_box = Eigen::Isometry3d::Identity();  ///< centre of its tight box, axes of its own frame
   Eigen::Vector3d size_m = Eigen::Vector3d::Zero();               ///< of that box
 };

@@ -45,7 +45,7 @@ struct Identity {
   double confidence = 0;  ///< 0 to 1: how well it agreed with itself lately; 0.3 when seen for the first time
 };
 
-struct DepthView;
+struct PosedDepthImage;
 
 /// The labels of untracked segments: by rank.
 std::vector<Identity> identitiesByRank(std::size_t count);
@@ -73,7 +73,7 @@ class Tracker {
   int freeLabel() const;
 
   std::vector<std::unique_ptr<Track>> tracks_;
-  std::unique_ptr<DepthView> last_view_;
+  std::unique_ptr<PosedDepthImage> last_view_;
   std::uint64_t last_id_ = 0;
   double last_time_s_ = 0;
   int frames_ = 0;

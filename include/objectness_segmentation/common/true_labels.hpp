@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+namespace objectness {
+
+// Labels of true label images (labels.png of a scene folder, SceneImages::true_labels): 0 void, 1 to 9 table, 20 to 29
+// the parts of object 0, 30 to 39 those of object 1, ... Label images of results have other ones (kFirstObjectLabel).
+constexpr int kFirstTrueLabel = 20;
+constexpr int kTrueLabelsPerObject = 10;
+
+/// The first label of object 0, 1, ...: 20, 30, ...
+constexpr int trueLabel(std::size_t object) {
+  return kFirstTrueLabel + kTrueLabelsPerObject * static_cast<int>(object);
+}
+
+/// The object, 0, 1, ..., that a true label is of; -1 for void and table.
+constexpr int trueObject(int label) {
+  return label < kFirstTrueLabel ? -1 : (label - kFirstTrueLabel) / kTrueLabelsPerObject;
+}
+
+}  // namespace objectness

@@ -47,7 +47,7 @@ use_sanitizers() {
 # not optimized.
 use_odr_check() {
   use_build_folder sanitize-odr
-  cmake_options=(-DCMAKE_BUILD_TYPE=Odr -DCMAKE_AR=/usr/bin/gcc-ar -DCMAKE_RANLIB=/usr/bin/gcc-ranlib
+  cmake_options=(-DCMAKE_BUILD_TYPE=Odr -DPRECOMPILE_HEADERS=OFF -DCMAKE_AR=/usr/bin/gcc-ar -DCMAKE_RANLIB=/usr/bin/gcc-ranlib
     "-DCMAKE_CXX_FLAGS_ODR=-O0 -flto=$(nproc) -fno-fat-lto-objects -DOBJECTNESS_PORTABLE")
 }
 

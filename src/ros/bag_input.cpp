@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/ros/bag_input.hpp"
 
-#include <rosbag/view.h>
-
 #include <exception>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+
+#include "read_message.hpp"
+#include "recorded_cameras.hpp"
+#include "recorded_colors.hpp"
 
 namespace objectness_segmentation {
 namespace {
@@ -31,18 +32,10 @@ Status checkFile(const std::string& path) {
   return {};
 }
 
-/// Messages whose definition differs from the one this program was built with cannot be read.
-template <class Message>
-boost::shared_ptr<const Message> read(const rosbag::MessageInstance& entry) {
-  boost::shared_ptr<const Message> message = entry.instantiate<Message>();
-  if (!message) {
-    throw rosbag::BagFormatException(entry.getTopic() + " holds another version of " +
-                                     ros::message_traits::datatype<Message>());
-  }
-  return message;
-}
-
 }  // namespace
+
+BagInput::BagInput() : cameras_(std::make_unique<RecordedCameras>()) {}
+BagInput::~BagInput() = default;
 
 objectness::Result<std::unique_ptr<BagInput>> BagInput::open(const std::string& path, const InputTopics& wanted) {
   objectness::Result<std::unique_ptr<BagInput>> input;
@@ -65,40 +58,46 @@ void BagInput::load(const std::string& path, const InputTopics& wanted, Status& 
   status = topics.status;
   if (!status.ok()) return;
   topics_ = topics.value;
-  cloud_count_ = rosbag::View(bag_, rosbag::TopicQuery(topics_.points)).size();
+  frame_count_ = rosbag::View(bag_, rosbag::TopicQuery(topics_.first())).size();
+  if (topics_.camera_info.empty()) return;
   try {
     rosbag::View cameras(bag_, rosbag::TopicQuery(topics_.camera_info));
     for (const rosbag::MessageInstance& entry : cameras) {
-      const auto camera = read<sensor_msgs::CameraInfo>(entry);
-      cameras_.emplace(camera->header.stamp, camera);
+      cameras_->add(readMessage<sensor_msgs::CameraInfo>(entry), entry.getTime());
     }
   } catch (const std::exception& e) {
-    camera_damage_ = e.what();  // the clouds before it can be used
+    camera_damage_ = e.what();  // the frames before it can be used
   }
 }
 
-sensor_msgs::CameraInfoConstPtr BagInput::findCamera(const ros::Time& stamp, bool approximate) const {
-  const auto later = cameras_.lower_bound(stamp);
-  if (later == cameras_.end() && !camera_damage_.empty()) throw rosbag::BagFormatException(camera_damage_);
-  if (later != cameras_.end() && later->first == stamp) return later->second;
-  if (!approximate || cameras_.empty()) return nullptr;
-  if (later == cameras_.begin()) return later->second;
-  const auto earlier = std::prev(later);
-  return later == cameras_.end() || stamp - earlier->first <= later->first - stamp ? earlier->second : later->second;
+sensor_msgs::CameraInfoConstPtr BagInput::findCamera(const std_msgs::Header& header, const ros::Time& recorded,
+                                                     bool approximate) const {
+  if (!camera_damage_.empty() && !cameras_->holds(header.stamp) && !cameras_->reachBeyond(header.stamp, recorded)) {
+    throw rosbag::BagFormatException(camera_damage_);
+  }
+  return cameras_->find(header, recorded, approximate);
 }
 
-Status BagInput::forEachCloud(bool approximate, const Visit& visit) const {
+Status BagInput::forEachFrame(bool approximate, const Visit& visit) const {
   std::size_t done = 0;
   try {
-    rosbag::View clouds(bag_, rosbag::TopicQuery(topics_.points));
-    for (const rosbag::MessageInstance& entry : clouds) {
-      const auto cloud = read<sensor_msgs::PointCloud2>(entry);
-      if (!visit({cloud, findCamera(cloud->header.stamp, approximate)}, entry.getTime())) break;
+    RecordedColors colors(bag_, topics_.color);
+    rosbag::View frames(bag_, rosbag::TopicQuery(topics_.first()));
+    for (const rosbag::MessageInstance& entry : frames) {
+      InputMessages messages;
+      if (topics_.ofDepth()) {
+        messages.depth = readMessage<sensor_msgs::Image>(entry);
+        messages.color = colors.find(messages.depth->header.stamp, entry.getTime());
+      } else {
+        messages.cloud = readMessage<sensor_msgs::PointCloud2>(entry);
+      }
+      messages.camera_info = findCamera(messages.header(), entry.getTime(), approximate);
+      if (!visit(messages, entry.getTime())) break;
       ++done;
     }
   } catch (const std::exception& e) {
-    return bad("is damaged after " + std::to_string(done) + " of " + std::to_string(cloud_count_) +
-               " clouds: " + e.what());
+    return bad("is damaged after " + std::to_string(done) + " of " + std::to_string(frame_count_) + " " + frameName() +
+               "s: " + e.what());
   }
   return {};
 }

@@ -7,6 +7,8 @@
 #include <thread>
 #include <utility>
 
+#include "frame_names.hpp"
+
 namespace objectness_segmentation {
 namespace {
 
@@ -15,9 +17,6 @@ using objectness::Status;
 using objectness::StatusCode;
 
 constexpr std::chrono::milliseconds kPoll{2};
-
-/// Old drivers send the leading slash of tf, which tf2 refuses.
-std::string withoutSlash(const std::string& frame) { return frame.substr(frame[0] == '/' ? 1 : 0); }
 
 }  // namespace
 
@@ -44,7 +43,11 @@ Result<Eigen::Isometry3d> CameraPoses::lookUp(const std::string& frame, const st
   }
   const std::string camera = withoutSlash(header.frame_id);
   std::string why;
-  while (!buffer_->canTransform(frame, camera, header.stamp, &why)) {
+  const auto isKnown = [&] {
+    why.clear();  // it would be written to its end
+    return buffer_->canTransform(frame, camera, header.stamp, &why);
+  };
+  while (!isKnown()) {
     if (stop || std::chrono::steady_clock::now() >= deadline) {
       return Pose::error(StatusCode::kNoTransform, "no transform from " + camera + " to " + frame +
                                                        " at the time of the frame (~transform_timeout): " + why);

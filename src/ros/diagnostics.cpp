@@ -6,6 +6,8 @@
 #include <sstream>
 #include <string>
 
+#include "frame_names.hpp"
+
 namespace objectness_segmentation {
 namespace {
 
@@ -19,23 +21,46 @@ std::string nothingOn(const std::string& topic, std::size_t publishers) {
          (publishers == 0 ? ", which nobody publishes: remap it to the camera's topic" : "");
 }
 
+/// How far the newest stamps are apart.
+std::string stampsOf(const InputState& inputs) {
+  const double first_s = inputs.first_stamp.toSec(), camera_s = inputs.camera_stamp.toSec();
+  std::ostringstream text;
+  text.precision(3);
+  text << std::fixed << "the newest are of " << first_s << " s and " << camera_s << " s, " << first_s - camera_s
+       << " s apart";
+  return text.str();
+}
+
 }  // namespace
 
 std::string missingInput(const InputState& inputs) {
-  if (inputs.frames > 0) return "no more frames on " + inputs.first_topic + " and " + inputs.camera_topic;
+  const std::string &first = inputs.first_topic, &camera = inputs.camera_topic;
+  if (inputs.frames > 0) return "no more frames on " + first + " and " + camera;
   if (inputs.first_seen == 0 && inputs.camera_infos_seen == 0) {
-    return nothingOn(inputs.first_topic, inputs.first_publishers) + "; " +
-           nothingOn(inputs.camera_topic, inputs.camera_publishers);
+    return nothingOn(first, inputs.first_publishers) + "; " + nothingOn(camera, inputs.camera_publishers);
   }
-  if (inputs.first_seen == 0) return nothingOn(inputs.first_topic, inputs.first_publishers);
-  if (inputs.camera_infos_seen == 0) return nothingOn(inputs.camera_topic, inputs.camera_publishers);
-  std::ostringstream text;
-  text.precision(3);
-  text << std::fixed << "no pairs of " << inputs.first_topic << " and " << inputs.camera_topic
-       << " with the same stamp (the newest are of " << inputs.first_stamp.toSec() << " s and "
-       << inputs.camera_stamp.toSec() << " s, " << inputs.first_stamp.toSec() - inputs.camera_stamp.toSec()
-       << " s apart): does ~approximate_sync help?";
-  return text.str();
+  if (inputs.first_seen == 0) return nothingOn(first, inputs.first_publishers);
+  if (inputs.camera_infos_seen == 0) return nothingOn(camera, inputs.camera_publishers);
+  if (!mayBeSameFrame(inputs.first_frame, inputs.camera_frame)) {
+    return "no pairs of " + first + " and " + camera + ": stamps are not the same (" + stampsOf(inputs) +
+           "), nor is the frame_id (" + inputs.first_frame + " and " + inputs.camera_frame + "); remap " + camera +
+           " to the camera of " + first + (inputs.approximate ? "" : ", or set ~approximate_sync where it is");
+  }
+  return "no pairs of " + first + " and " + camera + " with the same stamp (" + stampsOf(inputs) + ")" +
+         (inputs.approximate ? "" : ": does ~approximate_sync help?");
+}
+
+std::string lastCameraUsed(const InputState& inputs) {
+  return "messages on " + inputs.first_topic + " come without a camera_info of " +
+         (inputs.approximate ? "about their stamp on " : "their stamp on ") + inputs.camera_topic + " (" +
+         stampsOf(inputs) +
+         "): the last one of their frame_id is used, which is right as long as the camera's resolution and region of "
+         "interest do not change";
+}
+
+std::optional<std::string> awaitedInput(const FrameStatistics::Snapshot& snapshot, const InputState& inputs) {
+  if (!inputs.subscribed || snapshot.seconds_since_input <= kInputTimeout) return std::nullopt;
+  return missingInput(inputs);
 }
 
 void describe(const FrameStatistics::Snapshot& snapshot, const InputState& inputs,
@@ -44,8 +69,8 @@ void describe(const FrameStatistics::Snapshot& snapshot, const InputState& input
     status.summary(DiagnosticStatus::ERROR, snapshot.exception);
   } else if (!inputs.subscribed) {
     status.summary(DiagnosticStatus::OK, "idle: nobody subscribes to an output");
-  } else if (snapshot.seconds_since_input > kInputTimeout) {
-    status.summary(DiagnosticStatus::WARN, missingInput(inputs));
+  } else if (const auto awaited = awaitedInput(snapshot, inputs)) {
+    status.summary(DiagnosticStatus::WARN, *awaited);
   } else if (!snapshot.last_status.ok()) {
     status.summary(DiagnosticStatus::WARN, snapshot.last_status.message);
   } else if (!snapshot.last_remark.empty()) {
@@ -60,6 +85,7 @@ void describe(const FrameStatistics::Snapshot& snapshot, const InputState& input
   status.add("dropped frames", inputs.dropped_frames);
   status.add("points received", inputs.first_seen);
   status.add("camera_infos received", inputs.camera_infos_seen);
+  status.add("frames with the last camera_info", inputs.with_last_camera);
   status.add("last status", objectness::toString(snapshot.last_status.code));
   status.add("last number of objects", snapshot.last_objects);
   status.add("last boxes or groups scored", snapshot.last_boxes_scored);

@@ -9,7 +9,7 @@ namespace objectness_segmentation {
 namespace {
 
 constexpr int kMaxQueueSize = 1000;
-constexpr double kMaxTransformTimeout_s = 0.8;  // the worker waits for it, and has to end within a second
+constexpr double kMaxTransformTimeout_s = 60;  // the wait ends with the nodelet, too
 constexpr double kMaxServiceTimeout_s = 3600;
 
 /// Reads single parameters and gathers what is wrong with them.

@@ -24,25 +24,24 @@ SegmentBagReport segmentBag(const BagInput& input, const SegmentBagSettings& set
   std::size_t number = 0;
   const auto answer = [&](const InputMessages& messages, const ros::Time& recorded) {
     ++number;
-    if (!messages.camera_info) {
-      ++report.without_camera;
-      return true;
-    }
     const auto start = std::chrono::steady_clock::now();
     const SegmentedFrame result = segmentMessages(messages, settings.config, settings.model, settings.cancel);
     if (settings.cancel && *settings.cancel) return false;
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
 
-    const std_msgs::Header& header = messages.cloud->header;
+    const std_msgs::Header& header = messages.header();
     write(OutputMessages(result, header, {}), header.stamp.isZero() ? recorded : header.stamp, output);
     if (!output.status().ok()) return false;
     ++report.answered;
+    const auto& camera = messages.camera_info;
+    if (!camera) ++report.without_camera;
+    if (camera && !settings.approximate_sync && camera->header.stamp != header.stamp) ++report.with_last_camera;
     const objectness::Status& status = result.segmentation.status;
     if (!status.ok()) ++report.not_segmented;
     on_frame({number, header.stamp, status, result.segmentation.segments.size(), elapsed.count()});
     return true;
   };
-  report.status = input.forEachCloud(settings.approximate_sync, answer);
+  report.status = input.forEachFrame(settings.approximate_sync, answer);
   return report;
 }
 

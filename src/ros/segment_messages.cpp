@@ -38,8 +38,9 @@ FrameResult cloudFrame(const InputMessages& messages, const objectness::InputCon
   if (!cloud.ok()) return FrameResult::error(cloud.status);
   if (!messages.camera_info) {
     result.remarks.emplace_back(
-        "there is no camera_info: the camera is recovered from the cloud's grid; publish camera_info, or remap it to "
-        "the camera of the image that the cloud is made from");
+        "there is no camera_info of the cloud's stamp or frame_id: the camera is recovered from the cloud's grid; "
+        "publish "
+        "camera_info, or remap it to the camera of the image that the cloud is made from");
     return objectness::makeFrame(cloud.value, std::nullopt, config);
   }
   auto camera = toPinholeCamera(*messages.camera_info);
@@ -80,7 +81,10 @@ FrameResult depthFrame(const InputMessages& messages, const objectness::InputCon
   const auto depth = toDepthImage(*messages.depth);
   if (!depth.ok()) return FrameResult::error(depth.status);
   if (!messages.camera_info) {
-    return FrameResult::error(StatusCode::kBadCamera, "a depth image cannot be used without its camera_info");
+    return FrameResult::error(
+        StatusCode::kBadCamera,
+        "there is no camera_info of the depth image's stamp or frame_id, and it cannot be used without: remap "
+        "camera_info to its camera");
   }
   auto camera = toPinholeCamera(*messages.camera_info);
   if (!camera.ok()) return FrameResult::error(camera.status);

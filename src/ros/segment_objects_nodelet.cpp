@@ -11,6 +11,7 @@
 #include "objectness_segmentation/ros/diagnostics.hpp"
 #include "objectness_segmentation/ros/output_conversions.hpp"
 #include "objectness_segmentation/ros/params.hpp"
+#include "public_names.hpp"
 
 namespace objectness_segmentation {
 namespace {
@@ -62,11 +63,12 @@ void SegmentObjectsNodelet::initialize() {
   const auto on_jump = [this] {
     worker_->discardWaiting();
     processor_->forgetTransforms();
-    NODELET_INFO("time went back: what was of the time before is forgotten");
+    if (problems_.isDue("jump")) NODELET_INFO("time went back: what was of the time before is forgotten");
   };
   inputs_ = std::make_unique<SynchronizedInputs>(
-      getNodeHandle(), private_nh, settings_.input,
+      publicHandle(private_nh, getRemappingArgs()), private_nh, settings_.input,
       SynchronizedInputs::Callbacks{[this](const InputMessages& messages) { handOver(messages); }, on_jump,
+                                    [this](const std::string& sentence) { NODELET_WARN("%s", sentence.c_str()); },
                                     [this](const std::string& what) { noteException(what); }});
   startReconfigure();
   startDiagnostics();
@@ -129,7 +131,7 @@ SegmentObjectsNodelet::~SegmentObjectsNodelet() {
 
 void SegmentObjectsNodelet::noteException(const std::string& what) {
   statistics_.noteException(what);
-  if (problems_.isDue(what)) NODELET_ERROR("exception: %s", what.c_str());
+  if (problems_.isDue("exception")) NODELET_ERROR("exception: %s", what.c_str());
 }
 
 void SegmentObjectsNodelet::updateSubscriptions() {
@@ -146,7 +148,7 @@ void SegmentObjectsNodelet::updateSubscriptions() {
   };
   guarded(update, [this](const std::string& what) {  // a topic of another type, for one
     statistics_.noteException(what);
-    NODELET_ERROR("subscribing to the inputs failed: %s", what.c_str());
+    if (problems_.isDue("subscribing")) NODELET_ERROR("subscribing to the inputs failed: %s", what.c_str());
   });
 }
 
@@ -178,7 +180,13 @@ InputState SegmentObjectsNodelet::inputState() {
 }
 
 void SegmentObjectsNodelet::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
-  describe(statistics_.take(), inputState(), status);
+  const FrameStatistics::Snapshot snapshot = statistics_.take();
+  const InputState inputs = inputState();
+  describe(snapshot, inputs, status);
+  const auto awaited = awaitedInput(snapshot, inputs);
+  // Once: the diagnostics go on saying it.
+  if (awaited && !std::exchange(input_was_missing_, true)) NODELET_WARN("%s", awaited->c_str());
+  if (!awaited && inputs.frames > 0) input_was_missing_ = false;
   if (!model_status_.ok()) status.summary(diagnostic_msgs::DiagnosticStatus::ERROR, model_status_.message);
   std::string yaml;
   {
@@ -223,11 +231,11 @@ void SegmentObjectsNodelet::report(const SegmentedFrame& result, double millisec
   statistics_.noteStages(segmentation.report.timings_ms, boxesScored(segmentation.report));
   statistics_.noteRemark(join(result.remarks));
   statistics_.countOutput(status, segmentation.segments.size(), milliseconds);
-  if (!status.ok() && problems_.isDue(status.message)) {
+  if (!status.ok() && problems_.isDue(objectness::toString(status.code))) {
     NODELET_WARN("frame not segmented (%s): %s", objectness::toString(status.code), status.message.c_str());
   }
   for (const std::string& remark : result.remarks) {
-    if (problems_.isDue(remark)) NODELET_WARN("%s", remark.c_str());
+    if (problems_.isTextDue("remark", remark)) NODELET_WARN("%s", remark.c_str());
   }
 }
 

@@ -69,6 +69,7 @@ class SegmentObjectsNodelet : public nodelet::Nodelet {
 
   FrameStatistics statistics_;
   ThrottledProblems problems_;
+  bool input_was_missing_ = false;  // the log says so; of diagnose() only
 
   SegmentService::Desk desk_;  // requests of the service
 

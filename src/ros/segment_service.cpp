@@ -15,9 +15,23 @@ namespace objectness_segmentation {
 namespace {
 
 constexpr double kMaxTimeout_s = 3600;
+/// Frames may have been under way for so long when a request comes.
+constexpr double kOldFrame_s = 1.0;
 constexpr double kSlice_s = 0.05;  // how soon a shutdown of the whole process is noticed
 
 using objectness::StatusCode;
+
+/// Why no frame of those that came was an answer.
+std::string describe(const SegmentService::Desk::OldFrames& frames) {
+  char text[320];
+  std::snprintf(
+      text, sizeof(text),
+      "%u frame(s) came, but stamps are %.1f s behind this clock, before the request: set both machines to the "
+      "same time (NTP, chrony; or the driver to the host's clock), or where frames do take so long to arrive "
+      "give a timeout that is longer",
+      static_cast<unsigned>(frames.count), frames.age_s);
+  return text;
+}
 
 }  // namespace
 
@@ -48,6 +62,7 @@ bool SegmentService::answer(SegmentOnce::Request& request, SegmentOnce::Response
   const auto deadline =
       Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(timeout_s));
   std::optional<SegmentedObjectArrayConstPtr> result;
+  Desk::OldFrames old_frames;
   {
     const double now_s = ros::Time::now().toSec();
     Desk::Request waiting(desk_, now_s);
@@ -55,6 +70,7 @@ bool SegmentService::answer(SegmentOnce::Request& request, SegmentOnce::Response
     while (!result && !desk_.stopped() && !ros::isShuttingDown() && Clock::now() < deadline) {
       result = waiting.wait(std::min(kSlice_s, std::chrono::duration<double>(deadline - Clock::now()).count()));
     }
+    old_frames = waiting.oldFrames();
   }
   if (result && *result) {
     response.result = **result;
@@ -66,7 +82,7 @@ bool SegmentService::answer(SegmentOnce::Request& request, SegmentOnce::Response
     char text[96];
     std::snprintf(text, sizeof(text), "no result for a frame newer than the request within %.2f s: ", timeout_s);
     response.result.status = static_cast<std::uint8_t>(StatusCode::kNoInput);
-    response.result.message = text + missing_();
+    response.result.message = text + (old_frames.age_s >= kOldFrame_s ? describe(old_frames) : missing_());
   }
   changed_();
   return true;

@@ -2,45 +2,39 @@
 #include "objectness_segmentation/ros/synchronized_inputs.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <exception>
 #include <utility>
 
+#include "camera_partners.hpp"
 #include "guarded.hpp"
+#include "nearest_color.hpp"
+#include "objectness_segmentation/ros/diagnostics.hpp"
 #include "objectness_segmentation/ros/topics.hpp"
-#include "stamp_pairs.hpp"
+#include "public_names.hpp"
 
 namespace objectness_segmentation {
 namespace {
 
+using Clock = CameraPartners::Clock;
+
 /// Stamps of two topics may be as much out of order; what goes back farther is a jump in time.
 constexpr double kDisorder_s = 0.5;
-/// Clouds wait this long (wall time) for the first camera_info.
-constexpr std::chrono::seconds kCameraPatience{2};
-/// A picture goes with a depth image that is this near in time.
-constexpr double kColorDistance_s = 0.1;
 constexpr std::size_t kColorsKept = 10;
-
-/// ros::Duration throws where the difference is too long for it, and any stamp may come.
-double secondsBetween(const ros::Time& from, const ros::Time& to) { return to.toSec() - from.toSec(); }
+/// How often it is looked whether something has waited long enough; wall time.
+constexpr double kLook_s = 0.1;
+constexpr char kRaw[] = "raw";
 
 }  // namespace
 
 SynchronizedInputs::SynchronizedInputs(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh,
                                        const InputSettings& settings, Callbacks callbacks)
-    : nh_(nh), private_nh_(private_nh), settings_(settings), callbacks_(std::move(callbacks)), image_transport_(nh) {
-  if (settings.depth) {
-    depth_pairs_ = std::make_unique<StampPairs<sensor_msgs::Image>>(
-        settings.queue_size, settings.approximate, [this](const auto& depth, const auto& camera) {
-          hand({nullptr, camera, depth, nearestColor(depth->header.stamp)});
-        });
-  } else {
-    cloud_pairs_ = std::make_unique<StampPairs<sensor_msgs::PointCloud2>>(
-        settings.queue_size, settings.approximate, [this](const auto& cloud, const auto& camera) {
-          hand({cloud, camera, nullptr, nullptr});
-        });
-  }
-}
+    : nh_(nh),
+      private_nh_(private_nh),
+      settings_(settings),
+      callbacks_(std::move(callbacks)),
+      // A depth image is nothing without its camera.
+      partners_(std::make_unique<CameraPartners>(CameraPartners::Settings{
+          settings.approximate, !settings.depth, static_cast<std::size_t>(settings.queue_size)})),
+      image_transport_(nh) {}
 
 SynchronizedInputs::~SynchronizedInputs() { unsubscribe(); }
 
@@ -50,40 +44,52 @@ void SynchronizedInputs::subscribe() {
     std::lock_guard<std::mutex> lock(mutex_);
     counted_ = {};
     first_time_ = camera_time_ = {};
-    recent_cameras_.clear();
-    recent_firsts_.clear();
+    partners_->reset();
     colors_.clear();
-    forgetPairs();
   }
   const auto size = static_cast<std::uint32_t>(settings_.queue_size);
-  camera_ = nh_.subscribe(topics::kCameraInfo, size, &SynchronizedInputs::receiveCamera, this);
+  timer_ = nh_.createWallTimer(ros::WallDuration(kLook_s), [this](const ros::WallTimerEvent&) { lookAgain(); });
+  camera_ = nh_.subscribe(absolute(topics::kCameraInfo), size, &SynchronizedInputs::receiveCamera, this);
   if (!settings_.depth) {
-    cloud_ = nh_.subscribe(topics::kPoints, size, &SynchronizedInputs::receiveCloud, this);
+    cloud_ = nh_.subscribe(absolute(topics::kPoints), size, &SynchronizedInputs::receiveCloud, this);
     return;
   }
-  const auto hints = [this](const char* parameter) {
-    return image_transport::TransportHints("raw", {}, private_nh_, parameter);
+  const auto open = [&](const char* topic, const char* parameter, auto receive) {
+    const image_transport::TransportHints hints(kRaw, {}, private_nh_, parameter);
+    return image_transport_.subscribe(imageTopic(topic, hints), size, receive, this, hints);
   };
-  color_ = image_transport_.subscribe(topics::kColor, size, &SynchronizedInputs::receiveColor, this,
-                                      hints("image_transport"));
-  depth_ = image_transport_.subscribe(topics::kDepth, size, &SynchronizedInputs::receiveDepth, this,
-                                      hints("depth_image_transport"));
+  color_ = open(topics::kColor, "image_transport", &SynchronizedInputs::receiveColor);
+  depth_ = open(topics::kDepth, "depth_image_transport", &SynchronizedInputs::receiveDepth);
 }
 
 void SynchronizedInputs::unsubscribe() {
   if (!subscribed_.exchange(false)) return;
+  timer_.stop();
   cloud_.shutdown();
   depth_.shutdown();
   color_.shutdown();
   camera_.shutdown();
 }
 
+std::string SynchronizedInputs::absolute(const char* topic) const { return publicName(private_nh_, topic); }
+
+/// Other transports than raw subscribe to TOPIC/TRANSPORT, which a remapping of TOPIC would not reach.
+std::string SynchronizedInputs::imageTopic(const char* topic, const image_transport::TransportHints& hints) const {
+  return hints.getTransport() == kRaw ? absolute(topic) : nh_.resolveName(absolute(topic));
+}
+
 InputState SynchronizedInputs::state() const {
   std::lock_guard<std::mutex> lock(mutex_);
+  return describe();
+}
+
+InputState SynchronizedInputs::describe() const {
   InputState state = counted_;
   state.subscribed = subscribed_;
-  state.first_topic = nh_.resolveName(settings_.depth ? topics::kDepth : topics::kPoints);
-  state.camera_topic = nh_.resolveName(topics::kCameraInfo);
+  state.approximate = settings_.approximate;
+  state.with_last_camera = partners_->withLastCamera();
+  state.first_topic = nh_.resolveName(absolute(settings_.depth ? topics::kDepth : topics::kPoints));
+  state.camera_topic = nh_.resolveName(absolute(topics::kCameraInfo));
   state.first_publishers = settings_.depth ? depth_.getNumPublishers() : cloud_.getNumPublishers();
   state.camera_publishers = camera_.getNumPublishers();
   return state;
@@ -94,97 +100,77 @@ void SynchronizedInputs::hand(const InputMessages& messages) {
   callbacks_.frame(messages);
 }
 
-void SynchronizedInputs::forgetPairs() {
-  if (cloud_pairs_) cloud_pairs_->clear();
-  if (depth_pairs_) depth_pairs_->clear();
-}
-
-void SynchronizedInputs::noticeJump(const ros::Time& stamp, TopicTime& topic, TopicTime& other) {
+/// Which topic this jump back in time shows on: the first of the two, or the one that follows. A stamp of 0 says
+/// nothing about time.
+SynchronizedInputs::Jump SynchronizedInputs::noticeJump(const ros::Time& stamp, TopicTime& topic,
+                                                        const TopicTime& other) {
+  if (stamp.isZero()) return Jump::kNone;
   const bool first_message = topic.newest.isZero();
-  const bool back = !first_message && secondsBetween(stamp, topic.newest) > kDisorder_s;
+  const bool back = !first_message && topic.newest.toSec() - stamp.toSec() > kDisorder_s;
   topic.newest = back ? stamp : std::max(topic.newest, stamp);
   if (back && topic.epoch >= other.epoch) {
     ++topic.epoch;
-    other.stale = 0;
-    forgetPairs();
-    colors_.clear();
-    recent_cameras_.clear();
-    recent_firsts_.clear();
-    callbacks_.jump();
-  } else if (back || first_message) {
-    // The other one went back before: what waits for its partner is of the new time, unless it came on this topic.
-    topic.epoch = other.epoch;
-    if (topic.stale > 0) {
-      forgetPairs();
-      for (const auto& camera : recent_cameras_) addCamera(camera);
-      for (const auto& add_again : std::exchange(recent_firsts_, {})) add_again();
-    }
-    topic.stale = 0;
-  } else if (topic.epoch < other.epoch) {
-    ++topic.stale;
+    return Jump::kFirst;
   }
+  if (!back && !first_message) return Jump::kNone;
+  topic.epoch = other.epoch;
+  return back ? Jump::kFollowing : Jump::kNone;
 }
 
-void SynchronizedInputs::addCamera(const sensor_msgs::CameraInfoConstPtr& camera) {
-  if (cloud_pairs_) cloud_pairs_->addCamera(camera);
-  if (depth_pairs_) depth_pairs_->addCamera(camera);
+void SynchronizedInputs::forgetTime() {
+  partners_->forgetInputs();
+  partners_->forgetStamps();
+  colors_.clear();
+  callbacks_.jump();
 }
 
-/// What came on the first topic while the camera_info of the time before is still coming must not be lost with that.
-void SynchronizedInputs::addFirst(const std::function<void()>& add) {
-  if (first_time_.epoch > camera_time_.epoch) {
-    recent_firsts_.push_back(add);
-    if (recent_firsts_.size() > static_cast<std::size_t>(settings_.queue_size)) recent_firsts_.pop_front();
-  } else {
-    recent_firsts_.clear();
-  }
-  add();
+void SynchronizedInputs::noteFirst(const std_msgs::Header& header) {
+  const Jump jump = noticeJump(header.stamp, first_time_, camera_time_);
+  if (jump == Jump::kFirst) forgetTime();
+  if (jump == Jump::kFollowing) partners_->forgetInputs();  // they came of the time before since the other one's jump
+  ++counted_.first_seen;
+  counted_.first_stamp = header.stamp;
+  counted_.first_frame = header.frame_id;
 }
 
-/// Whether there has been no camera_info for so long that there will be none.
-bool SynchronizedInputs::noteFirst(const ros::Time& stamp) {
-  noticeJump(stamp, first_time_, camera_time_);
-  if (counted_.first_seen++ == 0) first_arrival_ = Clock::now();
-  counted_.first_stamp = stamp;
-  return counted_.camera_infos_seen == 0 && Clock::now() - first_arrival_ > kCameraPatience;
-}
-
-/// message_filters, too, throws at stamps that are too far apart.
 template <class TakeIn>
 void SynchronizedInputs::guarded(const TakeIn& take_in) {
   objectness_segmentation::guarded(
       [&] {
         std::lock_guard<std::mutex> lock(mutex_);
         take_in();
+        warnOfLastCamera();
       },
       callbacks_.exception);
 }
 
 void SynchronizedInputs::receiveCloud(const sensor_msgs::PointCloud2ConstPtr& cloud) {
   guarded([&] {
-    if (noteFirst(cloud->header.stamp)) {
-      hand({cloud, nullptr, nullptr, nullptr});
-    } else {
-      addFirst([this, cloud] { cloud_pairs_->addFirst(cloud); });
-    }
+    noteFirst(cloud->header);
+    partners_->addInput(cloud->header, Clock::now(), [this, cloud](const auto& camera) {
+      hand({cloud, camera, nullptr, nullptr});
+    });
   });
 }
 
 void SynchronizedInputs::receiveDepth(const sensor_msgs::ImageConstPtr& depth) {
   guarded([&] {
-    noteFirst(depth->header.stamp);
-    addFirst([this, depth] { depth_pairs_->addFirst(depth); });
+    noteFirst(depth->header);
+    partners_->addInput(depth->header, Clock::now(), [this, depth](const auto& camera) {
+      hand({nullptr, camera, depth, nearestColor(depth->header.stamp)});
+    });
   });
 }
 
 void SynchronizedInputs::receiveCamera(const sensor_msgs::CameraInfoConstPtr& camera) {
   guarded([&] {
-    noticeJump(camera->header.stamp, camera_time_, first_time_);
+    const Jump jump = noticeJump(camera->header.stamp, camera_time_, first_time_);
+    if (jump == Jump::kFirst) forgetTime();
+    if (jump == Jump::kFollowing) partners_->forgetStamps();
     ++counted_.camera_infos_seen;
     counted_.camera_stamp = camera->header.stamp;
-    if (camera_time_.epoch >= first_time_.epoch) recent_cameras_.push_back(camera);
-    if (recent_cameras_.size() > static_cast<std::size_t>(settings_.queue_size)) recent_cameras_.pop_front();
-    addCamera(camera);
+    counted_.camera_frame = camera->header.frame_id;
+    partners_->addCamera(camera, Clock::now());
   });
 }
 
@@ -196,14 +182,20 @@ void SynchronizedInputs::receiveColor(const sensor_msgs::ImageConstPtr& color) {
   });
 }
 
+void SynchronizedInputs::lookAgain() {
+  guarded([&] { partners_->lookAgain(Clock::now()); });
+}
+
 sensor_msgs::ImageConstPtr SynchronizedInputs::nearestColor(const ros::Time& stamp) const {
-  sensor_msgs::ImageConstPtr nearest;
-  double least = kColorDistance_s;
-  for (const auto& color : colors_) {
-    const double distance = std::abs(secondsBetween(stamp, color->header.stamp));
-    if (distance <= least) least = distance, nearest = color;
-  }
-  return nearest;
+  NearestColor nearest(stamp);
+  for (const auto& color : colors_) nearest.consider(color);
+  return nearest.found();
+}
+
+void SynchronizedInputs::warnOfLastCamera() {
+  if (warned_of_last_camera_ || partners_->partnersCome() || partners_->withLastCamera() == 0) return;
+  warned_of_last_camera_ = true;
+  callbacks_.warning(lastCameraUsed(describe()));
 }
 
 }  // namespace objectness_segmentation

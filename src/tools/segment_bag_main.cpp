@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The nodelet's results for every cloud of a bag: see `segment_bag --help`.
+// The nodelet's results for every cloud or depth image of a bag: see `segment_bag --help`.
 #include <csignal>
 #include <cstdio>
 #include <iostream>
@@ -19,8 +19,9 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it"
 
 void printError(const std::string& message) { objectness::printToolMessage("segment_bag", message); }
 
-void printFrame(const BagFrame& frame, std::size_t count) {
-  std::printf("cloud %zu/%zu, stamp %u.%09u: ", frame.number, count, frame.stamp.sec, frame.stamp.nsec);
+void printFrame(const BagFrame& frame, const BagInput& input) {
+  std::printf("%s %zu/%zu, stamp %u.%09u: ", input.frameName(), frame.number, input.frameCount(), frame.stamp.sec,
+              frame.stamp.nsec);
   if (frame.status.ok()) {
     std::printf("%zu %s, %.0f ms\n", frame.objects, frame.objects == 1 ? "object" : "objects", frame.milliseconds);
   } else {
@@ -29,35 +30,51 @@ void printFrame(const BagFrame& frame, std::size_t count) {
   std::fflush(stdout);
 }
 
-std::string missingCameras(const SegmentBagReport& report, const SegmentBagOptions& options,
-                           const InputTopics& topics) {
-  return options.in + ": " + std::to_string(report.without_camera) + " cloud(s) of " + topics.points +
-         " have no camera_info of their stamp on " + topics.camera_info +
-         " and got no result; --approximate-sync takes the nearest";
+void printTopics(const BagInput& input) {
+  const InputTopics& topics = input.topics();
+  std::printf("%ss %s", input.frameName(), topics.first().c_str());
+  if (!topics.color.empty()) std::printf(", pictures %s", topics.color.c_str());
+  std::printf(", camera %s\n", topics.camera_info.empty() ? "none" : topics.camera_info.c_str());
+}
+
+/// What the results are to be read with, as the nodelet warns of it.
+void printRemarks(const SegmentBagReport& report, const SegmentBagOptions& options, const BagInput& input) {
+  const InputTopics& topics = input.topics();
+  const std::string of = std::string(" ") + input.frameName() + "(s) of " + topics.first() + " have no camera_info ";
+  if (report.with_last_camera > 0) {
+    printError(
+        options.in + ": " + std::to_string(report.with_last_camera) + of + "of their stamp on " + topics.camera_info +
+        ": the last one of their frame_id was taken, which is right as long as the camera's resolution and region "
+        "of interest do not change; --approximate-sync takes the nearest");
+  }
+  if (report.without_camera > 0) {
+    printError(options.in + ": " + std::to_string(report.without_camera) + of +
+               (topics.camera_info.empty() ? "in this bag" : "of their stamp or frame_id on " + topics.camera_info) +
+               (topics.ofDepth() ? "" : ": the camera was recovered from the grid of each"));
+  }
 }
 
 ExitStatus run(const SegmentBagOptions& options) {
-  const auto input = BagInput::open(options.in, options.topics);
-  if (!input.ok()) {
-    printError(options.in + ": " + input.status.message);
+  const auto opened = BagInput::open(options.in, options.topics);
+  if (!opened.ok()) {
+    printError(options.in + ": " + opened.status.message);
     return kSomeFailed;
   }
-  const InputTopics& topics = input.value->topics();
-  const std::size_t count = input.value->cloudCount();
-  std::printf("clouds %s, camera %s\n", topics.points.c_str(), topics.camera_info.c_str());
+  const BagInput& input = *opened.value;
+  printTopics(input);
 
   BagOutput output(options.out);
   const SegmentBagReport report =
-      segmentBag(*input.value, options.settings, output, [&](const BagFrame& frame) { printFrame(frame, count); });
+      segmentBag(input, options.settings, output, [&](const BagFrame& frame) { printFrame(frame, input); });
   const objectness::Status written = output.close();
   if (!report.status.ok()) printError(options.in + ": " + report.status.message);
   if (!written.ok()) printError("--out " + options.out + ": " + written.message);
-  if (report.without_camera > 0) printError(missingCameras(report, options, topics));
+  printRemarks(report, options, input);
   if (interrupted) printError("interrupted");
-  std::printf("%zu of %zu clouds answered", report.answered, count);
+  std::printf("%zu of %zu %ss answered", report.answered, input.frameCount(), input.frameName());
   if (report.not_segmented > 0) std::printf(", %zu of them not segmented", report.not_segmented);
   std::printf(": %s\n", options.out.c_str());
-  return report.answered == count && written.ok() ? kAllDone : kSomeFailed;
+  return report.answered == input.frameCount() && written.ok() ? kAllDone : kSomeFailed;
 }
 
 }  // namespace

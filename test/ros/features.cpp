@@ -110,6 +110,20 @@ TEST_F(Features, TheServiceTakesNoFrameFromBeforeTheRequest) {
   EXPECT_EQ(answer.get().result.header.stamp, fresh.header.stamp);
 }
 
+TEST_F(Features, TheServiceSaysHowFarTheClocksDiffer) {
+  auto answer = request(kNode, 2);
+  ASSERT_TRUE(waitUntil([&] { return inputsConnected(); }));
+  while (!isReady(answer)) {
+    send(makeCloudMessage(frame_, {}, headerNow(-6.5)), goodCamera());
+    waitUntil([&] { return isReady(answer); }, 0.2);
+  }
+  const SegmentedObjectArray result = answer.get().result;
+  EXPECT_EQ(result.status, SegmentedObjectArray::NO_INPUT);
+  for (const char* part : {"stamps are 6.5 s behind this clock", "NTP"}) {
+    EXPECT_NE(result.message.find(part), std::string::npos) << result.message;
+  }
+}
+
 TEST_F(Features, TheServiceSaysWhatIsMissing) {
   auto answer = request(kNode, 0.5);
   ASSERT_TRUE(waitUntil([&] { return isReady(answer); }, 10));

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "features_fixture.hpp"
+#include "log_listener.hpp"
 
 namespace {
 
@@ -53,6 +54,44 @@ TEST_F(Frames, MissingTransformsAreSaidInTime) {
   EXPECT_EQ(result->status, SegmentedObjectArray::NO_TRANSFORM);
   EXPECT_NE(result->message.find("base"), std::string::npos) << result->message;
   EXPECT_TRUE(result->objects.empty());
+}
+
+TEST_F(Frames, WhyATransformIsMissingIsSaidOnce) {
+  ros::param::set("/second/transform_timeout", 0.3);
+  LogListener log;
+  const SecondNodelet second(points(), cameraInfo());
+  ASSERT_TRUE(second.loaded());
+  Listener<SegmentedObjectArray> objects("/second/objects");
+  ASSERT_TRUE(waitUntil([&] { return inputsConnected() && objects.connected() && log.connected(); }));
+  for (int i = 0; i < 6; ++i) {
+    // tf says something else of every other frame.
+    PointCloud2 cloud = goodCloud();
+    cloud.header.frame_id = i % 2 == 0 ? "nobody_knows" : "some_camera/optical_frame";
+    if (i == 2) sendPose(nextHeader(), scene_.T_world_camera);
+    const auto result = segment(objects, cloud, goodCamera());
+    ASSERT_TRUE(result);
+    ASSERT_EQ(result->status, SegmentedObjectArray::NO_TRANSFORM) << result->message;
+    const std::size_t why = result->message.find("(~transform_timeout): ");
+    ASSERT_NE(why, std::string::npos) << result->message;
+    const std::string reason = result->message.substr(why + 22, 20);
+    EXPECT_EQ(result->message.find(reason), result->message.rfind(reason)) << result->message;
+    EXPECT_LT(result->message.size(), 400u);
+  }
+  EXPECT_EQ(log.count("no transform from"), 1);
+}
+
+TEST_F(Frames, UnloadsWhileItWaitsLongForATransform) {
+  ros::param::set("/second/transform_timeout", 30.0);
+  SecondNodelet second(points(), cameraInfo());
+  ASSERT_TRUE(second.loaded());
+  Listener<SegmentedObjectArray> objects("/second/objects");
+  ASSERT_TRUE(waitUntil([&] { return inputsConnected() && objects.connected(); }));
+  const PointCloud2 cloud = goodCloud();
+  send(cloud, goodCamera());
+  EXPECT_FALSE(objects.wait(cloud.header.stamp, 2.0)) << "waits";
+  const ros::WallTime start = ros::WallTime::now();
+  EXPECT_TRUE(second.unload());
+  EXPECT_LT((ros::WallTime::now() - start).toSec(), 1.0);
 }
 
 TEST_F(Frames, ResultsAreMovedToTheTargetFrame) {

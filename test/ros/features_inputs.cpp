@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of the test of features.test: what the nodelet takes.
-#include <diagnostic_msgs/DiagnosticArray.h>
-
 #include "features_fixture.hpp"
+#include "log_listener.hpp"
 
 namespace {
 
@@ -75,32 +74,15 @@ TEST_F(Features, TakesCloudsAloneWhenThereIsNoCameraInfo) {
   EXPECT_EQ(result->objects.size(), 2u);
 }
 
-TEST_F(Features, SaysHowFarUnsynchronizedInputsAreApart) {
-  std::string message;
-  const ros::Subscriber diagnostics = nh_.subscribe<diagnostic_msgs::DiagnosticArray>(
-      "/diagnostics", 10, [&message](const diagnostic_msgs::DiagnosticArrayConstPtr& array) {
-        for (const auto& entry : array->status) {
-          if (entry.name.find("segment_objects: segmentation") != std::string::npos &&
-              entry.level == diagnostic_msgs::DiagnosticStatus::WARN) {
-            message = entry.message;
-          }
-        }
-      });
-  Listener<SegmentedObjectArray> objects(std::string(kNode) + "/objects");
-  ASSERT_TRUE(waitUntil([&] { return inputsConnected(); }));
-  EXPECT_TRUE(waitUntil(
-      [&] {
-        const PointCloud2 cloud = goodCloud();
-        sensor_msgs::CameraInfo camera = goodCamera();
-        camera.header = cloud.header;
-        camera.header.stamp -= ros::Duration(0.03);
-        camera_publisher_.publish(camera);
-        cloud_publisher_.publish(cloud);
-        ros::WallDuration(0.1).sleep();
-        return message.find("0.030 s apart") != std::string::npos;
-      },
-      20))
-      << message;
+TEST_F(Features, SaysOnceThatATopicIsWrong) {
+  LogListener log;
+  const SecondNodelet second(SecondNodelet::Names{{"points", "/nowhere/points"}, {"camera_info", cameraInfo()}});
+  ASSERT_TRUE(second.loaded());
+  ASSERT_TRUE(waitUntil([&] { return log.connected(); }));
+  const Listener<SegmentedObjectArray> objects("/second/objects");
+  const char* sentence = "no messages on /nowhere/points, which nobody publishes: remap it to the camera's topic";
+  EXPECT_TRUE(waitUntil([&] { return log.count(sentence) > 0; }, 20));
+  EXPECT_FALSE(waitUntil([&] { return log.count(sentence) > 1; }, 3));
 }
 
 }  // namespace

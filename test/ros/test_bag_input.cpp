@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
+#include <sensor_msgs/Image.h>
 #include <std_msgs/String.h>
 
 #include "fixtures/bag_files.hpp"
@@ -27,6 +28,15 @@ class Bags : public testing::Test {
   }
   void addCamera(const std::string& topic) {
     bag_.write(topic, ros::Time(1), toCameraInfo(makeSmallFrame().camera, makeHeader()));
+  }
+  void addImages(const std::string& topic, const std::string& encoding, int count,
+                 const std::string& frame = "camera_optical_frame") {
+    sensor_msgs::Image image;
+    image.header = makeHeader(1234.5, frame);
+    image.encoding = encoding;
+    image.width = 4;
+    image.height = 3;
+    for (int i = 0; i < count; ++i) bag_.write(topic, ros::Time(1 + i), image);
   }
   void addText(const std::string& topic) { bag_.write(topic, ros::Time(1), std_msgs::String()); }
 
@@ -64,7 +74,7 @@ TEST_F(Bags, TopicsAreThoseThatAreGiven) {
   addClouds("/b/points", 1, false);
   addCamera("/a/camera_info");
   addCamera("/b/camera_info");
-  const auto topics = choose({"/b/points", "/a/camera_info"});
+  const auto topics = choose({"/b/points", "/a/camera_info", "", ""});
   ASSERT_TRUE(topics.ok()) << topics.status.message;
   EXPECT_EQ(topics.value.points, "/b/points");
   EXPECT_EQ(topics.value.camera_info, "/a/camera_info");
@@ -77,9 +87,70 @@ TEST_F(Bags, WithoutCloudsAreNamedWithWhatTheyHold) {
                                 "/camera_info (sensor_msgs/CameraInfo, 1)"});
 }
 
-TEST_F(Bags, WithoutCamera) {
+TEST_F(Bags, WithoutCameraAreTakenWhenTheirCloudsAreOrganized) {
   addClouds("/points", 4);
-  expectError(choose().status, {"no sensor_msgs/CameraInfo on any topic", "/points (sensor_msgs/PointCloud2, 4)"});
+  const auto topics = choose();
+  ASSERT_TRUE(topics.ok()) << topics.status.message;
+  EXPECT_EQ(topics.value.points, "/points");
+  EXPECT_EQ(topics.value.camera_info, "");
+}
+
+TEST_F(Bags, WithoutTheCameraThatIsGiven) {
+  addClouds("/points", 4);
+  expectError(choose({"", "/camera_info", "", ""}).status,
+              {"no sensor_msgs/CameraInfo on /camera_info", "/points (sensor_msgs/PointCloud2, 4)"});
+}
+
+TEST_F(Bags, OfDepthImages) {
+  addImages("/device/depth/image_raw", "16UC1", 5);
+  addImages("/device/depth/image_rect", "32FC1", 5);
+  addImages("/device/labels", "16UC1", 9);
+  addImages("/device/ir", "mono16", 9);
+  addImages("/device/color", "bgr8", 9, "another_frame");
+  addClouds("/lidar", 20, false);
+  addCamera("/device/depth/camera_info");
+  addCamera("/device/rgb/camera_info");
+  const auto topics = choose();
+  ASSERT_TRUE(topics.ok()) << topics.status.message;
+  EXPECT_EQ(topics.value.depth, "/device/depth/image_rect");
+  EXPECT_EQ(topics.value.camera_info, "/device/depth/camera_info");
+  EXPECT_EQ(topics.value.points, "");
+  EXPECT_EQ(topics.value.color, "");
+}
+
+TEST_F(Bags, OfDepthImagesWithPictures) {
+  addImages("/device/depth/image_rect", "16UC1", 9, "depth_frame");
+  addImages("/device/aligned_depth/image", "16UC1", 5);
+  addImages("/device/color/image", "rgb8", 5);
+  addImages("/device/infra/image", "mono8", 9);
+  addCamera("/device/depth/camera_info");
+  addCamera("/device/aligned_depth/camera_info");
+  const auto topics = choose();
+  ASSERT_TRUE(topics.ok()) << topics.status.message;
+  EXPECT_EQ(topics.value.depth, "/device/aligned_depth/image");
+  EXPECT_EQ(topics.value.camera_info, "/device/aligned_depth/camera_info");
+  EXPECT_EQ(topics.value.color, "/device/color/image");
+}
+
+TEST_F(Bags, OfDepthImagesThatAreAskedFor) {
+  addClouds("/points", 2);
+  addImages("/a", "16UC1", 2);
+  addImages("/depth", "16UC1", 2);
+  addImages("/b", "bgr8", 2, "another_frame");
+  addCamera("/camera_info");
+  const auto topics = choose({"", "", "/a", "/b"});
+  ASSERT_TRUE(topics.ok()) << topics.status.message;
+  EXPECT_EQ(topics.value.depth, "/a");
+  EXPECT_EQ(topics.value.color, "/b");
+  EXPECT_EQ(topics.value.camera_info, "/camera_info");
+  EXPECT_EQ(choose({"", "", "", "/b"}).value.depth, "/depth");
+  expectError(choose({"", "", "/c", ""}).status, {"no sensor_msgs/Image on /c"});
+  expectError(choose({"", "", "/a", "/c"}).status, {"no sensor_msgs/Image on /c"});
+}
+
+TEST_F(Bags, OfDepthImagesWithoutCamera) {
+  addImages("/depth", "16UC1", 2);
+  expectError(choose().status, {"depth images need a camera_info", "/depth (sensor_msgs/Image, 2)"});
 }
 
 TEST_F(Bags, WithoutMessages) { expectError(choose().status, {"no sensor_msgs/PointCloud2", "no messages"}); }
@@ -87,13 +158,24 @@ TEST_F(Bags, WithoutMessages) { expectError(choose().status, {"no sensor_msgs/Po
 TEST_F(Bags, WithoutTheTopicThatIsGiven) {
   addClouds("/points", 1);
   addCamera("/camera_info");
-  expectError(choose({"/camera_info", ""}).status, {"no sensor_msgs/PointCloud2 on /camera_info", "/points"});
+  expectError(choose({"/camera_info", "", "", ""}).status, {"no sensor_msgs/PointCloud2 on /camera_info", "/points"});
 }
 
 TEST_F(Bags, OfListsOfPoints) {
-  addClouds("/lidar", 1, false);
+  addClouds("/few", 1, false);
+  addClouds("/lidar", 2, false);
+  expectError(choose().status, {"not organized", "camera_info", "/lidar (sensor_msgs/PointCloud2, 2)"});
+  expectError(choose({"/few", "", "", ""}).status, {"not organized", "camera_info"});
+}
+
+TEST_F(Bags, OfListsOfPointsWithACamera) {
+  addClouds("/few", 1, false);
+  addClouds("/lidar", 2, false);
   addCamera("/camera_info");
-  expectError(choose().status, {"not organized", "/lidar (sensor_msgs/PointCloud2, 1)"});
+  const auto topics = choose();
+  ASSERT_TRUE(topics.ok()) << topics.status.message;
+  EXPECT_EQ(topics.value.points, "/lidar");
+  EXPECT_EQ(topics.value.camera_info, "/camera_info");
 }
 
 TEST_F(Bags, ThatAreNone) {

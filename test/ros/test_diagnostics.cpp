@@ -68,8 +68,44 @@ TEST(Diagnostics, NameWhatIsMissing) {
   for (const char* number : {"12.500 s", "12.250 s", "0.250 s apart"}) {
     EXPECT_NE(unpaired.find(number), std::string::npos) << unpaired;
   }
+  inputs.approximate = true;
+  EXPECT_EQ(describeWith(snapshot, inputs).message.find("approximate_sync"), std::string::npos) << "it is on";
   inputs.frames = 1;
   EXPECT_NE(describeWith(snapshot, inputs).message.find("no more frames"), std::string::npos);
+}
+
+TEST(Diagnostics, NameFramesThatDiffer) {
+  InputState inputs;
+  inputs.first_seen = inputs.camera_infos_seen = 9;
+  inputs.first_frame = "/left";
+  inputs.camera_frame = "left";
+  EXPECT_EQ(missingInput(inputs).find("frame_id"), std::string::npos);
+  inputs.camera_frame = "right";
+  EXPECT_NE(missingInput(inputs).find("(/left and right)"), std::string::npos) << missingInput(inputs);
+  EXPECT_NE(missingInput(inputs).find("approximate_sync"), std::string::npos) << missingInput(inputs);
+}
+
+TEST(Diagnostics, SayWhyTheLastCameraIsUsed) {
+  InputState inputs;
+  inputs.first_topic = "/camera/points";
+  inputs.camera_topic = "/camera/camera_info";
+  inputs.first_stamp = ros::Time(12.5);
+  const std::string sentence = lastCameraUsed(inputs);
+  for (const char* part :
+       {"/camera/points", "/camera/camera_info", "12.500 s apart", "the last one of their frame_id"}) {
+    EXPECT_NE(sentence.find(part), std::string::npos) << sentence;
+  }
+}
+
+TEST(Diagnostics, AwaitInputForAWhile) {
+  FrameStatistics::Snapshot snapshot;
+  InputState inputs;
+  snapshot.seconds_since_input = 60;
+  EXPECT_FALSE(awaitedInput(snapshot, inputs)) << "nobody subscribes";
+  inputs.subscribed = true;
+  EXPECT_EQ(awaitedInput(snapshot, inputs).value_or(""), missingInput(inputs));
+  snapshot.seconds_since_input = 1;
+  EXPECT_FALSE(awaitedInput(snapshot, inputs));
 }
 
 TEST(Diagnostics, SayWhichTopicHasNoPublisher) {

@@ -28,6 +28,20 @@ TEST(RequestDesk, OnlyFramesNewerThanTheRequestAnswerIt) {
   EXPECT_EQ(*request.wait(60), 2);
 }
 
+TEST(RequestDesk, KnowsOfFramesThatWereTooOld) {
+  Desk desk;
+  Desk::Request request(desk, 100);
+  EXPECT_EQ(request.oldFrames().count, 0u);
+  desk.ticketFor(93.5, 100.5);
+  desk.ticketFor(94.5, 101.25);
+  Desk::Request later(desk, 102);
+  desk.ticketFor(101, 102.5);
+  EXPECT_EQ(request.oldFrames().count, 2u);
+  EXPECT_DOUBLE_EQ(request.oldFrames().age_s, 6.75);
+  EXPECT_EQ(later.oldFrames().count, 1u);
+  EXPECT_DOUBLE_EQ(later.oldFrames().age_s, 1.5);
+}
+
 TEST(RequestDesk, StampsOfAnotherClockCountByArrival) {
   Desk desk;
   EXPECT_EQ(desk.ticketFor(1000, 1e9), 0u);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
+#include <sensor_msgs/point_cloud2_iterator.h>
 
 #include "fixtures/bag_files.hpp"
 #include "fixtures/ros_messages.hpp"
@@ -30,14 +31,19 @@ class SegmentBag : public testing::Test {
 
   /// Clouds of a flat nothing and their cameras at these stamps.
   void writePlain(const std::vector<double>& clouds, const std::vector<double>& cameras) const {
-    const objectness::Frame frame = makeSmallFrame();
     rosbag::Bag bag(in_, rosbag::bagmode::Write);
-    for (const double stamp : clouds) bag.write("points", recorded_, toCloudMessage(frame, makeHeader(stamp)));
+    for (const double stamp : clouds) writeCloud(bag, recorded_, makeHeader(stamp));
     for (std::size_t i = 0; i < cameras.size(); ++i) {
-      objectness::PinholeCamera camera = frame.camera;
-      camera.fx += static_cast<double>(i);  // to tell them apart
-      bag.write("camera_info", recorded_, toCameraInfo(camera, makeHeader(cameras[i])));
+      writeCamera(bag, recorded_, makeHeader(cameras[i]), static_cast<int>(i));
     }
+  }
+  static void writeCloud(rosbag::Bag& bag, const ros::Time& recorded, const std_msgs::Header& header) {
+    bag.write("points", recorded, toCloudMessage(makeSmallFrame(), header));
+  }
+  static void writeCamera(rosbag::Bag& bag, const ros::Time& recorded, const std_msgs::Header& header, int number) {
+    objectness::PinholeCamera camera = makeSmallFrame().camera;
+    camera.fx += number;  // to tell them apart
+    bag.write("camera_info", recorded, toCameraInfo(camera, header));
   }
 
   /// Index of the camera_info that each cloud gets, -1 for none.
@@ -45,7 +51,7 @@ class SegmentBag : public testing::Test {
     const auto input = BagInput::open(in_, {});
     EXPECT_TRUE(input.ok()) << input.status.message;
     std::vector<int> cameras;
-    const auto status = input.value->forEachCloud(approximate, [&](const InputMessages& messages, const ros::Time&) {
+    const auto status = input.value->forEachFrame(approximate, [&](const InputMessages& messages, const ros::Time&) {
       const auto& camera = messages.camera_info;
       cameras.push_back(camera ? static_cast<int>(camera->K[0] - makeSmallFrame().camera.fx) : -1);
       return true;
@@ -63,6 +69,21 @@ class SegmentBag : public testing::Test {
         segmentBag(*input.value, settings_, output, [this](const BagFrame& frame) { frames_.push_back(frame); });
     EXPECT_TRUE(output.close().ok());
     return report;
+  }
+
+  /// In metres.
+  static sensor_msgs::Image depthOf(const sensor_msgs::PointCloud2& cloud) {
+    sensor_msgs::Image image;
+    image.header = cloud.header;
+    image.width = cloud.width;
+    image.height = cloud.height;
+    image.encoding = "32FC1";
+    image.step = 4 * image.width;
+    for (sensor_msgs::PointCloud2ConstIterator<float> z(cloud, "z"); z != z.end(); ++z) {
+      const auto* bytes = reinterpret_cast<const std::uint8_t*>(&*z);
+      image.data.insert(image.data.end(), bytes, bytes + 4);
+    }
+    return image;
   }
 
   TemporaryFolder folder_;
@@ -116,11 +137,110 @@ TEST_F(SegmentBag, GivesTheSameBytesWithAnyNumberOfThreads) {
 }
 
 TEST_F(SegmentBag, PairsEqualStamps) {
-  writePlain({1.0, 1.1, 1.2}, {1.2, 1.05, 1.0});
-  EXPECT_EQ(pairs(false), (std::vector<int>{2, -1, 0}));
+  writePlain({1.0, 1.2, 1.05}, {1.2, 1.05, 1.0});
+  EXPECT_EQ(pairs(false), (std::vector<int>{2, 0, 1}));
+  const SegmentBagReport report = segment(out_);
+  EXPECT_EQ(report.answered, 3u);
+  EXPECT_EQ(report.with_last_camera + report.without_camera, 0u);
+}
+
+/// As the nodelet does: a camera is a constant.
+TEST_F(SegmentBag, TakesTheLastCameraOfTheFrameWhereStampsDoNotPair) {
+  const auto at = [](double stamp, const std::string& frame) { return makeHeader(stamp, frame); };
+  {
+    rosbag::Bag bag(in_, rosbag::bagmode::Write);
+    writeCloud(bag, ros::Time(1), at(101, "a"));
+    writeCamera(bag, ros::Time(2), at(0, "a"), 0);
+    writeCloud(bag, ros::Time(3), at(103, "a"));
+    writeCamera(bag, ros::Time(4), at(500, "/b"), 1);
+    writeCloud(bag, ros::Time(5), at(105, "a"));
+    writeCloud(bag, ros::Time(6), at(106, "b"));
+    writeCamera(bag, ros::Time(7), at(0, "a"), 2);
+    writeCloud(bag, ros::Time(8), at(108, "a"));
+    writeCloud(bag, ros::Time(9), at(500, "a"));
+    writeCloud(bag, ros::Time(10), at(0, "c"));
+    writeCloud(bag, ros::Time(11), at(111, "c"));
+    writeCloud(bag, ros::Time(12), at(112, ""));
+  }
+  EXPECT_EQ(pairs(false), (std::vector<int>{0, 0, 0, 1, 2, 1, 2, -1, 2}));
+  EXPECT_EQ(pairs(true), (std::vector<int>{0, 0, 0, 0, 2, 1, 2, 2, 2}));
+  const SegmentBagReport report = segment(out_);
+  EXPECT_EQ(report.answered, 9u);
+  EXPECT_EQ(report.with_last_camera, 6u);
+  EXPECT_EQ(report.without_camera, 1u);
+}
+
+TEST_F(SegmentBag, AnswersCloudsWithoutCamera) {
+  writeScenes(2);
+  const auto clouds = readAll<sensor_msgs::PointCloud2>(in_, bag_topics::kPoints);
+  {
+    rosbag::Bag bag(in_, rosbag::bagmode::Write);
+    for (const auto& cloud : clouds) bag.write("points", cloud->header.stamp, *cloud);
+  }
   const SegmentBagReport report = segment(out_);
   EXPECT_EQ(report.answered, 2u);
-  EXPECT_EQ(report.without_camera, 1u);
+  EXPECT_EQ(report.without_camera, 2u);
+  for (const BagFrame& frame : frames_) {
+    EXPECT_TRUE(frame.status.ok()) << frame.status.message;
+    EXPECT_EQ(frame.objects, 2u);
+  }
+}
+
+TEST_F(SegmentBag, AnswersCloudsThatAreNotOrganized) {
+  writeScenes(2);
+  const auto clouds = readAll<sensor_msgs::PointCloud2>(in_, bag_topics::kPoints);
+  const auto cameras = readAll<sensor_msgs::CameraInfo>(in_, bag_topics::kCameraInfo);
+  {
+    rosbag::Bag bag(in_, rosbag::bagmode::Write);
+    for (std::size_t i = 0; i < clouds.size(); ++i) {
+      sensor_msgs::PointCloud2 list = *clouds[i];
+      list.width *= list.height;
+      list.height = 1;
+      list.row_step = list.width * list.point_step;
+      bag.write("points", list.header.stamp, list);
+      bag.write("camera_info", list.header.stamp, *cameras[i]);
+    }
+  }
+  const SegmentBagReport report = segment(out_);
+  EXPECT_EQ(report.answered, 2u);
+  for (const BagFrame& frame : frames_) {
+    EXPECT_TRUE(frame.status.ok()) << frame.status.message;
+    EXPECT_EQ(frame.objects, 2u);
+  }
+}
+
+TEST_F(SegmentBag, AnswersDepthImages) {
+  writeScenes(3);
+  const auto clouds = readAll<sensor_msgs::PointCloud2>(in_, bag_topics::kPoints);
+  const auto cameras = readAll<sensor_msgs::CameraInfo>(in_, bag_topics::kCameraInfo);
+  std::vector<InputMessages> messages;
+  {
+    rosbag::Bag bag(in_, rosbag::bagmode::Write);
+    for (std::size_t i = 0; i < clouds.size(); ++i) {
+      const auto depth = boost::make_shared<sensor_msgs::Image>(depthOf(*clouds[i]));
+      const auto color = boost::make_shared<sensor_msgs::Image>(*depth);
+      color->encoding = "bgr8";
+      color->step = 3 * color->width;
+      color->data.assign(std::size_t{color->step} * color->height, static_cast<std::uint8_t>(50 + i));
+      color->header.stamp += ros::Duration(0.02);
+      const ros::Time recorded = depth->header.stamp;
+      bag.write("depth", recorded, *depth);
+      bag.write("camera_info", recorded, *cameras[i]);
+      const bool late = i == 1;  // more than a tenth of a second from any depth image
+      if (late) color->header.stamp += ros::Duration(3);
+      bag.write("rgb", recorded + ros::Duration(0.05), *color);
+      messages.push_back({nullptr, cameras[i], depth, late ? nullptr : color});
+    }
+  }
+  const SegmentBagReport report = segment(out_);
+  EXPECT_EQ(report.answered, 3u);
+  const auto objects = readAll<SegmentedObjectArray>(out_, "/segment_objects/objects");
+  ASSERT_EQ(objects.size(), 3u);
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const SegmentedFrame result = segmentMessages(messages[i], settings_.config, {}, nullptr);
+    EXPECT_EQ(result.segmentation.segments.size(), 2u);
+    EXPECT_EQ(serialized(*objects[i]), serialized(toObjectsMessage(result, messages[i].header())));
+  }
 }
 
 TEST_F(SegmentBag, PairsNearestStampsWhenAsked) {

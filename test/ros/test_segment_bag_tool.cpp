@@ -63,21 +63,52 @@ TEST_F(SegmentBagTool, TakesAModelOfOnesOwn) {
   expectFailure("--model " + (folder_ / "foreign.json") + " " + usual_, 2, "foreign.json: \"contact\" is no forest");
 }
 
-TEST_F(SegmentBagTool, KeepsWhatIsDoneWhenSomeCloudsHaveNoCamera) {
+TEST_F(SegmentBagTool, SaysWhichCamerasAreTakenWhereStampsDoNotPair) {
   const objectness::Frame frame = makeSmallFrame();
   {
     rosbag::Bag bag(in_, rosbag::bagmode::Write);
     for (const double stamp : {1.0, 2.0}) bag.write("points", ros::Time(1), toCloudMessage(frame, makeHeader(stamp)));
+    bag.write("points", ros::Time(1), toCloudMessage(frame, makeHeader(3.0, "another_frame")));
     bag.write("info", ros::Time(1), toCameraInfo(frame.camera, makeHeader(1.0)));
   }
-  expectFailure(usual_, 1, "1 cloud(s) of points have no camera_info of their stamp on info");
-  const auto objects = readAll<SegmentedObjectArray>(out_, "/segment_objects/objects");
-  ASSERT_EQ(objects.size(), 1u);
-  EXPECT_EQ(objects[0]->header.stamp, ros::Time(1));
+  const Outcome outcome = run(usual_);
+  EXPECT_EQ(outcome.exit_status, 0);
+  for (const char* text : {"1 cloud(s) of points have no camera_info of their stamp on info: the last one",
+                           "1 cloud(s) of points have no camera_info of their stamp or frame_id on info: the camera"}) {
+    EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(outcome.errorLines(), 2) << outcome.err;
+  EXPECT_EQ(readAll<SegmentedObjectArray>(out_, "/segment_objects/objects").size(), 3u);
   const Outcome approximate = run("--approximate-sync " + usual_);
-  EXPECT_EQ(approximate.exit_status, 0) << approximate.err;
-  EXPECT_NE(approximate.out.find("2 of 2 clouds answered, 2 of them not segmented"), std::string::npos)
+  EXPECT_EQ(approximate.exit_status, 0);
+  EXPECT_EQ(approximate.err, "");
+  EXPECT_NE(approximate.out.find("3 of 3 clouds answered, 3 of them not segmented"), std::string::npos)
       << approximate.out;
+}
+
+TEST_F(SegmentBagTool, TakesDepthImages) {
+  sensor_msgs::Image depth;
+  depth.header = makeHeader(1.0);
+  depth.encoding = "16UC1";
+  depth.width = 4;
+  depth.height = 3;
+  depth.step = 8;
+  depth.data.assign(24, 1);
+  {
+    rosbag::Bag bag(in_, rosbag::bagmode::Write);
+    bag.write("depth", ros::Time(1), depth);
+    bag.write("info", ros::Time(1), toCameraInfo(makeSmallFrame().camera, makeHeader(1.0)));
+    depth.encoding = "bgr8";
+    bag.write("color", ros::Time(1), depth);
+  }
+  for (const std::string options : {"", "--depth depth --rgb color --camera-info info "}) {
+    const Outcome outcome = run(options + usual_);
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
+    for (const char* text : {"depth images depth, pictures color, camera info\n", "depth image 1/1, stamp 1.0",
+                             "1 of 1 depth images answered"}) {
+      EXPECT_NE(outcome.out.find(text), std::string::npos) << outcome.out;
+    }
+  }
 }
 
 TEST_F(SegmentBagTool, InputThatCannotBeUsedLeavesTheOutputAlone) {
@@ -87,6 +118,7 @@ TEST_F(SegmentBagTool, InputThatCannotBeUsedLeavesTheOutputAlone) {
   expectFailure(usual_, 1, in_ + ": is no bag of ROS 1");
   writeScenes(1);
   expectFailure("--points /tf " + usual_, 1, "holds no sensor_msgs/PointCloud2 on /tf, but ");
+  expectFailure("--depth /tf " + usual_, 1, "holds no sensor_msgs/Image on /tf, but ");
   expectFailure("--camera-info /none " + usual_, 1, "holds no sensor_msgs/CameraInfo on /none, but ");
   EXPECT_EQ(readBytes(out_), "of an earlier run");
 }
@@ -104,10 +136,13 @@ TEST_F(SegmentBagTool, WrongCommandLines) {
   expectFailure(in_, 2, "no --out OUT.bag given");
   expectFailure("--out " + folder_.path() + "/./in.bag " + in_, 2, "would overwrite the input");
   expectFailure("--set serach.angle_step_deg=3 " + usual_, 2, "did you mean search.angle_step_deg?");
+  expectFailure("--points /a --depth /b " + usual_, 2, "--points and --depth exclude each other");
+  expectFailure("--points /a --rgb /b " + usual_, 2, "--rgb belongs to depth images");
   expectFailure("--approx " + usual_, 2, "unrecognised option '--approx'");
   const Outcome help = run("--help");
   EXPECT_EQ(help.exit_status, 0);
-  for (const char* text : {"--points", "--camera-info", "--approximate-sync", "--config", "Exit status"}) {
+  for (const char* text :
+       {"--points", "--camera-info", "--depth", "--rgb", "--approximate-sync", "--config", "Exit status"}) {
     EXPECT_NE(help.out.find(text), std::string::npos) << text;
   }
 }

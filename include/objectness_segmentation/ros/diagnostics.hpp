@@ -3,6 +3,9 @@
 
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
 
+#include <optional>
+#include <string>
+
 #include "objectness_segmentation/ros/frame_statistics.hpp"
 #include "objectness_segmentation/ros/input_state.hpp"
 
@@ -15,5 +18,11 @@ void describe(const FrameStatistics::Snapshot& snapshot, const InputState& input
 
 /// What keeps frames from coming, and what to do about it.
 std::string missingInput(const InputState& inputs);
+
+/// The same, once frames have been awaited for long enough to say so.
+std::optional<std::string> awaitedInput(const FrameStatistics::Snapshot& snapshot, const InputState& inputs);
+
+/// That frames go on with a camera_info that did not come with them, and why.
+std::string lastCameraUsed(const InputState& inputs);
 
 }  // namespace objectness_segmentation

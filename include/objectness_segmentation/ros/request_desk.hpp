@@ -21,6 +21,11 @@ class RequestDesk {
   /// Number of the newest request that a frame answers; 0: none.
   using Ticket = std::uint64_t;
 
+  struct OldFrames {
+    std::uint32_t count = 0;
+    double age_s = 0;  ///< of the last one when it came: stamp behind the clock of the requests
+  };
+
   /// A request that is made now, by the clock of the stamps. Ends with its guard.
   class Request {
    public:
@@ -32,6 +37,9 @@ class RequestDesk {
     /// The answer; none when the (wall) time is over or the desk is closed before it comes.
     std::optional<Answer> wait(double seconds) { return desk_.wait(number_, seconds); }
 
+    /// The frames that came since the request and were not new enough for it.
+    OldFrames oldFrames() const { return desk_.oldFrames(number_); }
+
    private:
     RequestDesk& desk_;
     Ticket number_;
@@ -42,13 +50,17 @@ class RequestDesk {
 
   /// For a frame that arrives now. Stamps of another clock than now_s (kForeign_s or more away) cannot be compared with
   /// the time of the request: then what arrives after it is new enough.
-  Ticket ticketFor(double stamp_s, double now_s) const {
+  Ticket ticketFor(double stamp_s, double now_s) {
     std::lock_guard<std::mutex> lock(mutex_);
     const double age_s = now_s - stamp_s;
     const bool comparable = age_s < kForeign_s && age_s > -kForeign_s;
     Ticket ticket = 0;
-    for (const auto& [number, request] : open_) {
-      if (!comparable || stamp_s >= request.time_s) ticket = number;
+    for (auto& [number, request] : open_) {
+      if (!comparable || stamp_s >= request.time_s) {
+        ticket = number;
+      } else {
+        request.old_frames = {request.old_frames.count + 1, age_s};
+      }
     }
     return ticket;
   }
@@ -84,6 +96,7 @@ class RequestDesk {
   struct Open {
     double time_s = 0;
     std::optional<Answer> answer;
+    OldFrames old_frames;
   };
 
   Ticket open(double now_s) {
@@ -102,6 +115,10 @@ class RequestDesk {
     Open& request = open_.at(number);  // a map's elements stay where they are
     wake_.wait_for(lock, std::chrono::duration<double>(seconds), [&] { return stop_ || request.answer; });
     return request.answer;
+  }
+  OldFrames oldFrames(Ticket number) const {
+    std::lock_guard<std::mutex> lock(mutex_);
+    return open_.at(number).old_frames;
   }
 
   mutable std::mutex mutex_;

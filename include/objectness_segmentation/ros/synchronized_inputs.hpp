@@ -5,7 +5,7 @@
 #include <ros/node_handle.h>
 #include <sensor_msgs/PointCloud2.h>
 
-#include <chrono>
+#include <atomic>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -17,8 +17,7 @@
 
 namespace objectness_segmentation {
 
-template <class First>
-class StampPairs;
+class CameraPartners;
 
 struct InputSettings {
   bool depth = false;  ///< depth images (and rgb, when there is any), not clouds
@@ -27,18 +26,21 @@ struct InputSettings {
 };
 
 /// Subscribes to what a depth camera publishes and hands on what belongs together: cloud or depth image, with the
-/// camera_info of the same stamp (or, when approximate, the nearest one). Clouds go on alone when no camera_info at all
-/// has come for a while after the first cloud. The picture that is nearest in time to a depth image goes with it when
-/// there is one. A stamp that goes back, as when a bag begins again, makes everything that waits for its partner void.
+/// camera_info of the same stamp (or, when approximate, the nearest one), and where such ones do not come with the last
+/// one of the same frame_id. Clouds go on alone when no camera_info at all has come for a while after the first cloud.
+/// The picture that is nearest in time to a depth image goes with it when there is one. A stamp that goes back, as when
+/// a bag begins again, makes everything that waits for its partner void.
 class SynchronizedInputs {
  public:
   struct Callbacks {
     std::function<void(const InputMessages&)> frame;
     std::function<void()> jump;  ///< time went back; before anything of the new time is handed on
+    std::function<void(const std::string& sentence)> warning;  ///< about the inputs; each once
     std::function<void(const std::string& what)> exception;  ///< what a message brought about: it is lost, no more
   };
 
-  /// Subscribes to nothing yet. Callbacks come through nh's queue, none after unsubscribe() has returned there.
+  /// Subscribes to nothing yet. Topics are those of the namespace that private_nh lies in, remapped as nh says.
+  /// Callbacks come through nh's queue, none after unsubscribe() has returned there.
   SynchronizedInputs(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh, const InputSettings& settings,
                      Callbacks callbacks);
   ~SynchronizedInputs();
@@ -51,46 +53,45 @@ class SynchronizedInputs {
   InputState state() const;
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   void receiveCloud(const sensor_msgs::PointCloud2ConstPtr& cloud);
   void receiveDepth(const sensor_msgs::ImageConstPtr& depth);
   void receiveCamera(const sensor_msgs::CameraInfoConstPtr& camera);
   void receiveColor(const sensor_msgs::ImageConstPtr& color);
+  void lookAgain();
   template <class TakeIn>
   void guarded(const TakeIn& take_in);
   void hand(const InputMessages& messages);
-  bool noteFirst(const ros::Time& stamp);
+  void noteFirst(const std_msgs::Header& header);
+  void warnOfLastCamera();
+  InputState describe() const;
   struct TopicTime {
     ros::Time newest;
     int epoch = 0;  ///< jumps back in time that it has gone through
-    int stale = 0;  ///< messages of the time before, taken in since the other topic's jump
   };
-  void noticeJump(const ros::Time& stamp, TopicTime& topic, TopicTime& other);
-  void forgetPairs();
-  void addCamera(const sensor_msgs::CameraInfoConstPtr& camera);
-  void addFirst(const std::function<void()>& add);
+  enum class Jump { kNone, kFirst, kFollowing };
+  static Jump noticeJump(const ros::Time& stamp, TopicTime& topic, const TopicTime& other);
+  void forgetTime();
   sensor_msgs::ImageConstPtr nearestColor(const ros::Time& stamp) const;
+  std::string absolute(const char* topic) const;
+  std::string imageTopic(const char* topic, const image_transport::TransportHints& hints) const;
 
   ros::NodeHandle nh_, private_nh_;
   InputSettings settings_;
   Callbacks callbacks_;
 
   mutable std::mutex mutex_;  // held while a message is taken in, and for what follows
-  std::unique_ptr<StampPairs<sensor_msgs::PointCloud2>> cloud_pairs_;
-  std::unique_ptr<StampPairs<sensor_msgs::Image>> depth_pairs_;
+  std::unique_ptr<CameraPartners> partners_;
   std::deque<sensor_msgs::ImageConstPtr> colors_;
   InputState counted_;
   // A jump shows on one topic first; messages of the time before may still come on the other one.
   TopicTime first_time_, camera_time_;
-  std::deque<sensor_msgs::CameraInfoConstPtr> recent_cameras_;  // of this epoch
-  std::deque<std::function<void()>> recent_firsts_;  ///< adds again what came since the first topic alone went back
-  Clock::time_point first_arrival_;
+  bool warned_of_last_camera_ = false;
 
   std::atomic<bool> subscribed_{false};
   image_transport::ImageTransport image_transport_;
   image_transport::Subscriber depth_, color_;
   ros::Subscriber cloud_, camera_;
+  ros::WallTimer timer_;
 };
 
 }  // namespace objectness_segmentation

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <sensor_msgs/image_encodings.h>
 
+#include <algorithm>
 #include <boost/make_shared.hpp>
 #include <cmath>
 #include <cstring>
@@ -59,13 +60,39 @@ TEST(DepthInput, ReadsMillimetresAndMetres) {
   EXPECT_EQ(depth.value.at<float>(1, 2), 1.25F);
 }
 
-TEST(DepthInput, TurnsTheBytesOfABigEndianImageRound) {
-  sensor_msgs::Image image = makeDepth(kMillimetres, 3, "16UC1");
-  for (std::size_t i = 0; i < image.data.size(); i += 2) std::swap(image.data[i], image.data[i + 1]);
+/// As a machine of the other byte order sends it.
+template <class Value>
+sensor_msgs::Image bigEndian(sensor_msgs::Image image) {
+  for (std::uint32_t v = 0; v < image.height; ++v) {
+    std::uint8_t* row = image.data.data() + std::size_t{v} * image.step;
+    for (std::uint32_t u = 0; u < image.width; ++u) {
+      std::reverse(row + u * sizeof(Value), row + (u + 1) * sizeof(Value));
+    }
+  }
   image.is_bigendian = true;
+  return image;
+}
+
+TEST(DepthInput, TurnsTheBytesOfABigEndianImageRound) {
+  for (const std::uint32_t padding : {0u, 3u, 6u}) {
+    for (const char* encoding : {"16UC1", "mono16"}) {
+      const auto depth = toDepthImage(bigEndian<std::uint16_t>(makeDepth(kMillimetres, 3, encoding, padding)));
+      ASSERT_TRUE(depth.ok()) << depth.status.message;
+      for (int i = 0; i < 6; ++i) EXPECT_EQ(depth.value.at<ushort>(i / 3, i % 3), kMillimetres[i]) << padding;
+    }
+    const auto depth = toDepthImage(bigEndian<float>(makeDepth(kMetres, 3, "32FC1", padding)));
+    ASSERT_TRUE(depth.ok()) << depth.status.message;
+    EXPECT_EQ(depth.value.at<float>(0, 1), 0.5F);
+    EXPECT_EQ(depth.value.at<float>(1, 2), 1.25F);
+  }
+}
+
+TEST(DepthInput, RowsThatFollowOneAnotherNeedNoStep) {
+  sensor_msgs::Image image = makeDepth(kMillimetres, 3, "16UC1");
+  image.step = 0;
   const auto depth = toDepthImage(image);
   ASSERT_TRUE(depth.ok()) << depth.status.message;
-  EXPECT_EQ(depth.value.at<ushort>(0, 1), 500);
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(depth.value.at<ushort>(i / 3, i % 3), kMillimetres[i]) << i;
 }
 
 void expectBad(const sensor_msgs::Image& image, const std::string& word) {
@@ -94,6 +121,25 @@ TEST(DepthInput, RefusesWhatIsNoDepthImage) {
   image.width = 0;
   expectBad(image, "empty");
   expectBad(sensor_msgs::Image(), "encoded");
+  image = good;
+  image.step = 0;
+  image.data.pop_back();
+  expectBad(image, "carries");
+  image.width = image.height = 0xFFFFFFFF;
+  expectBad(image, "carries");
+}
+
+TEST(ColorInput, EveryByteOrderAndNoStep) {
+  sensor_msgs::Image image;
+  image.encoding = "mono16";
+  image.width = 2;
+  image.height = 1;
+  image.is_bigendian = true;
+  image.data = {0xFF, 0x00, 0x00, 0x00};
+  const auto color = toColorImage(image);
+  ASSERT_TRUE(color.ok()) << color.status.message;
+  EXPECT_NEAR(color.value.at<cv::Vec3b>(0, 0)[1], 254, 1);
+  EXPECT_EQ(color.value.at<cv::Vec3b>(0, 1), cv::Vec3b(0, 0, 0));
 }
 
 /// A wall at one metre, as the small frame's camera sees it.
@@ -177,6 +223,40 @@ TEST(DepthFrame, RegionOfInterestAndBinningAreThoseOfTheImage) {
   EXPECT_NEAR(result.frame.points[0].y(), (0 - 4.75) / 50, 1e-6);
 }
 
+TEST(DepthFrame, ThatIsThinnedOutTakesTheWholeCamera) {
+  InputMessages messages = wall(20, 15);
+  messages.camera_info = wall(40, 30).camera_info;
+  const SegmentedFrame result = segmentMessages(messages, {}, {}, nullptr);
+  ASSERT_EQ(result.frame.width(), 20) << result.segmentation.status.message;
+  EXPECT_EQ(result.frame.camera.fx, 25);
+  ASSERT_EQ(result.remarks.size(), 1u);
+  EXPECT_NE(result.remarks[0].find("one row and column in 2"), std::string::npos) << result.remarks[0];
+}
+
+TEST(DepthFrame, ThatIsCertainlyNotRectifiedIsRectified) {
+  for (const bool certain : {true, false}) {
+    InputMessages messages = wall(160, 120);
+    auto camera = boost::make_shared<sensor_msgs::CameraInfo>(*messages.camera_info);
+    camera->distortion_model = "plumb_bob";
+    camera->D = {-0.05, 0, 0, 0, 0};
+    if (certain) camera->P.fill(0);
+    messages.camera_info = camera;
+    const SegmentedFrame result = segmentMessages(messages, {}, {}, nullptr);
+    ASSERT_EQ(result.frame.width(), 160) << result.segmentation.status.message;
+    EXPECT_EQ(result.frame.rectified, certain);
+    ASSERT_EQ(result.remarks.size(), 1u);
+    EXPECT_NE(result.remarks[0].find("distortion"), std::string::npos) << result.remarks[0];
+  }
+}
+
+TEST(DepthFrame, UnitsOfTheDriverAreAParameter) {
+  objectness::Config config;
+  config.input.depth_unit_m = 0.0005;
+  const SegmentedFrame result = segmentMessages(wall(), config, {}, nullptr);
+  ASSERT_GT(result.frame.size(), 0);
+  EXPECT_FLOAT_EQ(result.frame.points[0].z(), 0.5F);
+}
+
 TEST(LargeInputs, AreThinnedAndSpokenOfInTheirOwnPixels) {
   objectness_test::Scene scene;
   const objectness::PinholeCamera camera{1312.5, 1312.5, 799.5, 599.5, 1600, 1200};  // five times 320 x 240
@@ -234,6 +314,41 @@ TEST(DepthFrame, NeedsACameraOfItsSize) {
   EXPECT_EQ(segmentMessages(messages, {}, {}, nullptr).segmentation.status.code, StatusCode::kBadCamera);
   messages.camera_info = wall(50, 30).camera_info;
   EXPECT_EQ(segmentMessages(messages, {}, {}, nullptr).segmentation.status.code, StatusCode::kSizeMismatch);
+}
+
+TEST(CloudFrame, InAnotherFrameIsNamedByItsFrameId) {
+  objectness::Frame frame = makeSmallFrame(40, 30);
+  for (Eigen::Vector3f& p : frame.points) p = Eigen::Vector3f(p.z(), -p.x(), -p.y());
+  InputMessages messages;
+  messages.cloud = boost::make_shared<sensor_msgs::PointCloud2>(toCloudMessage(frame, makeHeader(1, "camera_link")));
+  for (const bool with_camera : {true, false}) {
+    if (with_camera) {
+      messages.camera_info = boost::make_shared<sensor_msgs::CameraInfo>(toCameraInfo(frame.camera, makeHeader()));
+    } else {
+      messages.camera_info.reset();
+    }
+    const objectness::Status status = segmentMessages(messages, {}, {}, nullptr).segmentation.status;
+    EXPECT_EQ(status.code, StatusCode::kBadCamera);
+    EXPECT_NE(status.message.find("'camera_link' is not the camera's optical frame"), std::string::npos)
+        << status.message;
+  }
+}
+
+TEST(CloudFrame, OfALensThatMayMatterHasARemark) {
+  const objectness::Frame frame = makeSmallFrame(400, 300);
+  InputMessages messages;
+  messages.cloud = boost::make_shared<sensor_msgs::PointCloud2>(toCloudMessage(frame, makeHeader()));
+  for (const bool with_p : {true, false}) {
+    auto camera = boost::make_shared<sensor_msgs::CameraInfo>(toCameraInfo(frame.camera, makeHeader()));
+    camera->distortion_model = "plumb_bob";
+    camera->D = {-0.3, 0, 0, 0, 0};
+    if (!with_p) camera->P.fill(0);
+    messages.camera_info = camera;
+    const SegmentedFrame result = segmentMessages(messages, {}, {}, nullptr);
+    ASSERT_EQ(result.frame.width(), 400) << result.segmentation.status.message;
+    ASSERT_GE(result.remarks.size(), 1u);
+    EXPECT_NE(result.remarks[0].find("lens distortion, up to"), std::string::npos) << result.remarks[0];
+  }
 }
 
 TEST(CloudFrame, WithoutCameraHasItsIntrinsicsRecovered) {

@@ -13,7 +13,8 @@ namespace {
 // the camera's nose. Tables and things beyond these do occur, so that it is a remark.
 constexpr double kMaxTableDepthM = 2.5, kMinTableDepthM = 0.2;
 constexpr double kMaxDepthM = 4.0;
-constexpr double kMaxObjectM = 0.8;
+// A large thing on a table that is near is rather a wrong segment.
+constexpr double kMaxObjectM = 0.8, kFarTableDepthM = 1.2;
 
 /// NaN when none of them is wanted.
 template <class Wanted>
@@ -50,7 +51,7 @@ std::string doubtfulScale(const Frame& frame, const Segmentation& result) {
   }
   double largest = 0;
   for (const Segment& segment : result.segments) largest = std::max(largest, segment.box.size_m.maxCoeff());
-  if (!(largest > kMaxObjectM)) return "";
+  if (!(largest > kMaxObjectM && depth > kFarTableDepthM)) return "";
   remark << "an object is " << largest << " m large" << advice;
   return remark.str();
 }

@@ -11,7 +11,7 @@ namespace {
 
 // Depth of 1/5000 m read as millimetres puts a table at arm's length four metres off; depth of 1/256 m puts it under
 // the camera's nose. Tables and things beyond these do occur, so that it is a remark.
-constexpr double kMaxTableDepthM = 2.5, kMinTableDepthM = 0.2;
+constexpr double kMaxTableDepthM = 2.5, kMinTableDepthM = 0.25;
 constexpr double kMaxDepthM = 4.0;
 // A large thing on a table that is near is rather a wrong segment.
 constexpr double kMaxObjectM = 0.8, kFarTableDepthM = 1.2;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "doubtful_scale.hpp"
 #include "guarded_segmentation.hpp"
 #include "objectness_segmentation/common/thread_pool.hpp"
 #include "objectness_segmentation/cues/surface_cues.hpp"
@@ -216,13 +217,21 @@ void groupPieces(const Frame& frame, const Config& config, const LearnedObjectne
   result.segments = stage("segments", [&] { return cutGroups(graph.pieces, groups, chosen, config.segments); });
 }
 
+void remarkOnScale(const Frame& frame, Segmentation& result) {
+  const std::string remark = doubtfulScale(frame, result);
+  if (!remark.empty()) result.report.remarks.push_back(remark);
+}
+
 /// Fills `result` as far as it gets.
 void run(const Frame& frame, const Config& config, const LearnedObjectness* model, const std::atomic<bool>* cancel,
          Segmentation& result) {
   const ThreadPool pool(config.runtime.threads);
   const Stages stage(cancel, result.report);
   const Normals normals = seeScene(frame, config, stage, result);
-  if (!result.status.ok()) return;
+  if (!result.status.ok()) {
+    remarkOnScale(frame, result);
+    return;
+  }
   if (config.grouping.enabled) {
     const bool learned = config.grouping.learned;
     groupPieces(frame, config, !learned ? nullptr : model ? model : &defaultModel(), stage, normals, result);
@@ -233,6 +242,7 @@ void run(const Frame& frame, const Config& config, const LearnedObjectness* mode
   keepMeasured(frame.bridged, result.segments);
   result.labels = labelImage(result.object_points.on_table, frame.bridged, result.segments);
   stage.count("segments", result.segments.size());
+  remarkOnScale(frame, result);
 }
 
 /// model: nullptr for the one that comes with the package.

@@ -37,6 +37,11 @@ Labelled load(const Scene& scene, const Config& config) {
     labelled.status = Status::error(StatusCode::kSizeMismatch, "labels.png is not of the size of depth.png");
     return labelled;
   }
+  if (frame.value.rectified) {
+    labelled.status = Status::error(StatusCode::kBadCamera,
+                                    "its depth image is not rectified, and labels.png of other pixels than the frame");
+    return labelled;
+  }
   labelled.frame = frame.value;
   labelled.truth = truth.value;
   return labelled;

@@ -86,6 +86,9 @@ class Job {
     if (!loadTruth()) return saveResult(report_, result_);
     const Result<Frame> frame = loadSceneFolder(scene_.folder, {}, method_.input);
     if (!frame.ok()) return fail(frame.status.message);
+    if (frame.value.rectified) {
+      return refuse("its depth image is not rectified, and labels.png of other pixels than the results: rectify both");
+    }
     if (annotation_.size() != cv::Size(frame.value.width(), frame.value.height())) {
       return refuse("labels.png is " + sizeText(annotation_.size()) + ", depth.png is " +
                     sizeText({frame.value.width(), frame.value.height()}) + ": they must be of equal size");

@@ -4,17 +4,17 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <array>
 #include <iomanip>
 #include <sstream>
 #include <vector>
 
 #include "file_access.hpp"
+#include "objectness_segmentation/io/depth_scale.hpp"
 #include "yaml_text.hpp"
 
 namespace objectness {
 namespace {
-
-using Camera = Result<PinholeCamera>;
 
 /// The entry under either of its names, undefined when it has none of them.
 YAML::Node entry(const YAML::Node& root, const char* calibration_name, const char* message_name) {
@@ -29,45 +29,68 @@ std::vector<double> matrix(const YAML::Node& root, const char* calibration_name,
   return data.as<std::vector<double>>();
 }
 
-bool allZero(const std::vector<double>& values) {
-  return std::all_of(values.begin(), values.end(), [](double value) { return value == 0; });
+/// Copies a matrix that is given; kBadInput when it has another number of elements.
+template <std::size_t count>
+Status readMatrix(const YAML::Node& root, const char* calibration_name, const char* message_name,
+                  std::array<double, count>& values) {
+  const std::vector<double> given = matrix(root, calibration_name, message_name);
+  if (given.empty()) return {};
+  if (given.size() != count) {
+    return Status::error(StatusCode::kBadInput, std::string("has a ") + calibration_name + " of " +
+                                                    std::to_string(given.size()) + " numbers, must be " +
+                                                    std::to_string(count));
+  }
+  std::copy(given.begin(), given.end(), values.begin());
+  return {};
 }
 
-Camera readCamera(const YAML::Node& root) {
-  const auto bad = [](const std::string& message) { return Camera::error(StatusCode::kBadInput, message); };
+std::uint32_t number(const YAML::Node& node) { return node ? node.as<std::uint32_t>() : 0; }
+
+Result<CameraCalibration> readCalibration(const YAML::Node& root) {
+  using Calibration = Result<CameraCalibration>;
+  const auto bad = [](const std::string& message) { return Calibration::error(StatusCode::kBadInput, message); };
   if (!root.IsMap()) return bad("is not a camera file: it must hold image_width, image_height and camera_matrix");
   const YAML::Node width = entry(root, "image_width", "width"), height = entry(root, "image_height", "height");
   if (!width || !height) return bad("lacks image_width or image_height");
 
-  Camera camera;
-  camera.value.width = width.as<int>();
-  camera.value.height = height.as<int>();
-  const std::vector<double> p = matrix(root, "projection_matrix", "P"), k = matrix(root, "camera_matrix", "K");
-  if (!p.empty() && p.size() != 12)
-    return bad("has a projection_matrix of " + std::to_string(p.size()) + " numbers, must be 12");
-  if (!k.empty() && k.size() != 9)
-    return bad("has a camera_matrix of " + std::to_string(k.size()) + " numbers, must be 9");
-
-  const std::vector<double>& intrinsics = allZero(p) ? k : p;
-  if (allZero(intrinsics))
-    return bad("has no intrinsics: it needs a projection_matrix or a camera_matrix that is not zero");
-  const std::size_t row = intrinsics.size() / 3;
-  if (&intrinsics == &k && !allZero(matrix(root, "distortion_coefficients", "D"))) {
-    return Camera::error(StatusCode::kBadCamera,
-                         "has lens distortion and no projection_matrix: rectify the images (image_proc) and give the "
-                         "projection_matrix of the rectified ones");
+  Calibration calibration;
+  CameraCalibration& c = calibration.value;
+  c.width = number(width);
+  c.height = number(height);
+  c.binning_x = number(root["binning_x"]);
+  c.binning_y = number(root["binning_y"]);
+  if (const YAML::Node roi = root["roi"]; roi && roi.IsMap()) {
+    c.roi = {number(roi["x_offset"]), number(roi["y_offset"]), number(roi["width"]), number(roi["height"])};
   }
-  camera.value.fx = intrinsics[0];
-  camera.value.cx = intrinsics[2];
-  camera.value.fy = intrinsics[row + 1];
-  camera.value.cy = intrinsics[row + 2];
-  const Status status = validate(camera.value);
-  return status.ok() ? camera : Camera::error(status);
+  if (const YAML::Node model = root["distortion_model"]; model && model.IsScalar()) c.distortion_model = model.Scalar();
+  c.D = matrix(root, "distortion_coefficients", "D");
+  Status status = readMatrix(root, "projection_matrix", "P", c.P);
+  if (status.ok()) status = readMatrix(root, "camera_matrix", "K", c.K);
+  if (!status.ok()) return Calibration::error(status);
+  if (c.P[0] == 0 && c.K[0] == 0) {
+    return bad("has no intrinsics: it needs a projection_matrix or a camera_matrix that is not zero");
+  }
+  return calibration;
+}
+
+Result<ImageCamera> readCamera(const YAML::Node& root) {
+  using Camera = Result<ImageCamera>;
+  const Result<CameraCalibration> calibration = readCalibration(root);
+  if (!calibration.ok()) return Camera::error(calibration.status);
+  Camera camera = imageCamera(calibration.value);
+  if (!camera.ok()) return camera;
+  if (const YAML::Node scale = root["depth_scale"]; scale) {
+    const Result<double> unit = depthUnit(scale.IsScalar() ? scale.Scalar() : "");
+    if (!unit.ok()) return Camera::error(StatusCode::kBadInput, "has a depth_scale that " + unit.status.message);
+    camera.value.depth_unit_m = unit.value;
+  }
+  return camera;
 }
 
 }  // namespace
 
-Result<PinholeCamera> loadCamera(const std::string& path) {
+Result<ImageCamera> loadImageCamera(const std::string& path) {
+  using Camera = Result<ImageCamera>;
   const Result<std::string> text = readFile(path, kMaxTextBytes);
   if (!text.ok()) return Camera::error(text.status);
   try {
@@ -77,6 +100,18 @@ Result<PinholeCamera> loadCamera(const std::string& path) {
   } catch (const YAML::Exception& e) {
     return Camera::error(StatusCode::kBadInput, std::string("is not valid YAML: ") + e.what());
   }
+}
+
+Result<PinholeCamera> rectifiedCamera(const ImageCamera& camera) {
+  if (!camera.lens) return {{}, camera.pinhole};
+  return Result<PinholeCamera>::error(StatusCode::kBadCamera,
+                                      "has lens distortion and no projection_matrix: rectify the images (image_proc) "
+                                      "and give the projection_matrix of the rectified ones");
+}
+
+Result<PinholeCamera> loadCamera(const std::string& path) {
+  const Result<ImageCamera> camera = loadImageCamera(path);
+  return camera.ok() ? rectifiedCamera(camera.value) : Result<PinholeCamera>::error(camera.status);
 }
 
 Status saveCamera(const std::string& path, const PinholeCamera& camera) {

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 
+#include "file_access.hpp"
+#include "objectness_segmentation/io/camera_yaml.hpp"
 #include "objectness_segmentation/io/pcd_file.hpp"
 #include "objectness_segmentation/io/scene_folder.hpp"
 
@@ -21,8 +23,7 @@ std::string inputName(const std::string& path) {
   return isPcd(full) && !fs::is_directory(full, error) ? full.stem().string() : full.filename().string();
 }
 
-Result<Frame> loadInput(const std::string& path, const std::optional<PinholeCamera>& camera,
-                        const InputConfig& config) {
+Result<Frame> loadInput(const std::string& path, const std::optional<ImageCamera>& camera, const InputConfig& config) {
   std::error_code error;
   const fs::file_status type = fs::status(path, error);
   if (fs::is_directory(type)) return loadSceneFolder(path, camera, config);
@@ -33,7 +34,12 @@ Result<Frame> loadInput(const std::string& path, const std::optional<PinholeCame
   }
   const Result<RawCloud> cloud = loadPcd(path);
   if (!cloud.ok()) return Result<Frame>::error(cloud.status);
-  return makeFrame(cloud.value, camera, config);
+  if (!camera) return makeFrame(cloud.value, std::nullopt, config);
+  const Result<PinholeCamera> pinhole = rectifiedCamera(*camera);
+  if (!pinhole.ok()) return Result<Frame>::error(about("its camera", pinhole.status));
+  Result<Frame> frame = makeFrame(cloud.value, pinhole.value, config);
+  frame.value.remarks.insert(frame.value.remarks.begin(), camera->remarks.begin(), camera->remarks.end());
+  return frame;
 }
 
 }  // namespace objectness

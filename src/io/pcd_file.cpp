@@ -5,7 +5,9 @@
 #include <pcl/io/pcd_io.h>
 
 #include <array>
+#include <cmath>
 #include <cstring>
+#include <optional>
 
 #include "pcd_header.hpp"
 #include "quiet_pcl.hpp"
@@ -59,6 +61,17 @@ Result<RawCloud> toRawCloud(const pcl::PCLPointCloud2& cloud) {
   return raw;
 }
 
+/// The VIEWPOINT of a file; none when it says nothing, as most do, or is no pose.
+std::optional<Eigen::Isometry3d> viewpointOf(const Eigen::Vector4f& origin, const Eigen::Quaternionf& orientation) {
+  constexpr double kMaxNormError = 0.01;
+  const Eigen::Quaterniond rotation = orientation.cast<double>();
+  const Eigen::Vector3d position = origin.head<3>().cast<double>();
+  if (!position.allFinite() || !(std::abs(rotation.norm() - 1) <= kMaxNormError)) return {};
+  const Eigen::Isometry3d pose = Eigen::Translation3d(position) * rotation.normalized();
+  if (pose.isApprox(Eigen::Isometry3d::Identity(), 1e-6)) return {};
+  return pose;
+}
+
 }  // namespace
 
 Result<RawCloud> loadPcd(const std::string& path) {
@@ -81,7 +94,11 @@ Result<RawCloud> loadPcd(const std::string& path) {
                                      "is damaged: PCL reads its header otherwise, as when there is a line of blanks");
     }
     const bool read = reader.read(path, cloud, origin, orientation, version) >= 0;
-    if (read && cloud.width == header.value.width && cloud.height == header.value.height) return toRawCloud(cloud);
+    if (read && cloud.width == header.value.width && cloud.height == header.value.height) {
+      Result<RawCloud> raw = toRawCloud(cloud);
+      raw.value.T_cloud_sensor = viewpointOf(origin, orientation);
+      return raw;
+    }
   } catch (const std::exception&) {
     // The reason is in PCL's terms, of no help to a user.
   }

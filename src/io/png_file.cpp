@@ -4,6 +4,7 @@
 #include <boost/crc.hpp>
 #include <cstdint>
 #include <opencv2/imgcodecs.hpp>
+#include <utility>
 
 #include "file_access.hpp"
 #include "scene/image_limits.hpp"
@@ -37,10 +38,28 @@ std::uint32_t bigEndian(const std::string& bytes, std::size_t at) {
 
 Result<PngHeader> bad(const std::string& message) { return Result<PngHeader>::error(StatusCode::kBadInput, message); }
 
+/// The format of a picture that is often called .png by mistake, "" when it is none of these.
+std::string otherFormat(const std::string& bytes) {
+  const std::pair<std::string, const char*> signatures[] = {{std::string("II*\0", 4), "TIFF"},
+                                                            {std::string("MM\0*", 4), "TIFF"},
+                                                            {"\xff\xd8\xff", "JPEG"},
+                                                            {"\x76\x2f\x31\x01", "OpenEXR"},
+                                                            {"P5", "PGM"},
+                                                            {"Pf", "PFM"},
+                                                            {"\x93NUMPY", "NumPy"}};
+  for (const auto& [signature, format] : signatures) {
+    if (bytes.compare(0, signature.size(), signature) == 0) return format;
+  }
+  return "";
+}
+
 /// Walks over the chunks of the file.
 Result<PngHeader> checkPng(const std::string& bytes) {
   if (bytes.empty()) return bad("is empty");
-  if (bytes.compare(0, kSignatureBytes, "\x89PNG\r\n\x1a\n") != 0) return bad("is not a PNG image");
+  if (bytes.compare(0, kSignatureBytes, "\x89PNG\r\n\x1a\n") != 0) {
+    const std::string other = otherFormat(bytes);
+    return bad(other.empty() ? "is not a PNG image" : "is a " + other + " image, must be PNG: convert it");
+  }
   Result<PngHeader> header;
   for (std::size_t at = kSignatureBytes; at + kChunkFrameBytes <= bytes.size();) {
     const std::size_t length = bigEndian(bytes, at);
@@ -81,7 +100,8 @@ Result<cv::Mat> readPng(const std::string& path, PngKind kind) {
                                                    std::to_string(header.height) + " pixels, which it cannot hold");
   }
   if (kind != PngKind::kColor && (header.bits != 16 || header.channels() != 1)) {
-    const char* meaning = kind == PngKind::kDepth ? "depth in millimetres, 0 where there is none" : "a label a pixel";
+    const char* meaning =
+        kind == PngKind::kDepth ? "depth in millimetres (or --depth-scale), 0 where there is none" : "a label a pixel";
     return Image::error(StatusCode::kBadInput, "is " + header.text() + ", must be 16-bit with 1 channel: " + meaning);
   }
   try {

@@ -4,43 +4,49 @@
 #include "objectness_segmentation/ros/input_conversions.hpp"
 
 namespace objectness_segmentation {
+namespace {
 
+using objectness::CameraCalibration;
+using objectness::ImageCamera;
 using objectness::PinholeCamera;
 using objectness::Result;
 using objectness::StatusCode;
 
-Result<PinholeCamera> toPinholeCamera(const sensor_msgs::CameraInfo& message) {
-  // Rectified images follow P; drivers without stereo or rectification often fill K only.
+CameraCalibration toCalibration(const sensor_msgs::CameraInfo& message) {
+  CameraCalibration calibration;
+  calibration.width = message.width;
+  calibration.height = message.height;
+  calibration.distortion_model = message.distortion_model;
+  calibration.D = message.D;
+  std::copy(message.K.begin(), message.K.end(), calibration.K.begin());
+  std::copy(message.P.begin(), message.P.end(), calibration.P.begin());
+  calibration.binning_x = message.binning_x;
+  calibration.binning_y = message.binning_y;
+  calibration.roi = {message.roi.x_offset, message.roi.y_offset, message.roi.width, message.roi.height};
+  return calibration;
+}
+
+/// What the core makes of the message; its reasons say what they are about.
+template <class Camera>
+Result<Camera> convert(const sensor_msgs::CameraInfo& message, Result<Camera> (*camera_of)(const CameraCalibration&)) {
   const bool has_p = message.P[0] != 0;
-  PinholeCamera camera;
-  camera.fx = has_p ? message.P[0] : message.K[0];
-  camera.fy = has_p ? message.P[5] : message.K[4];
-  camera.cx = has_p ? message.P[2] : message.K[2];
-  camera.cy = has_p ? message.P[6] : message.K[5];
-  if (camera.fx == 0 || camera.fy == 0) {
-    return Result<PinholeCamera>::error(StatusCode::kBadCamera,
-                                        "camera_info is not calibrated: the focal lengths in K and P are 0");
+  if ((has_p ? message.P[0] : message.K[0]) == 0 || (has_p ? message.P[5] : message.K[4]) == 0) {
+    return Result<Camera>::error(StatusCode::kBadCamera,
+                                 "camera_info is not calibrated: the focal lengths in K and P are 0");
   }
+  Result<Camera> camera = camera_of(toCalibration(message));
+  if (!camera.ok()) camera.status.message = "camera_info: " + camera.status.message;
+  return camera;
+}
 
-  // The region of interest counts full-resolution pixels; 0 x 0 stands for the whole image, binning 0 for 1.
-  const auto& roi = message.roi;
-  const bool has_roi = roi.width != 0 && roi.height != 0;
-  const auto binning_x = std::max<std::uint32_t>(1, message.binning_x);
-  const auto binning_y = std::max<std::uint32_t>(1, message.binning_y);
-  if (has_roi) {
-    camera.cx -= roi.x_offset;
-    camera.cy -= roi.y_offset;
-  }
-  camera.fx /= binning_x;
-  camera.cx /= binning_x;
-  camera.fy /= binning_y;
-  camera.cy /= binning_y;
-  camera.width = static_cast<int>((has_roi ? roi.width : message.width) / binning_x);
-  camera.height = static_cast<int>((has_roi ? roi.height : message.height) / binning_y);
+}  // namespace
 
-  const objectness::Status valid = objectness::validate(camera);
-  if (!valid.ok()) return Result<PinholeCamera>::error(valid.code, "camera_info: " + valid.message);
-  return {objectness::Status{}, camera};
+Result<PinholeCamera> toPinholeCamera(const sensor_msgs::CameraInfo& message) {
+  return convert(message, objectness::pinholeCamera);
+}
+
+Result<ImageCamera> toImageCamera(const sensor_msgs::CameraInfo& message) {
+  return convert(message, objectness::imageCamera);
 }
 
 }  // namespace objectness_segmentation

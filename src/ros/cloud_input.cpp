@@ -53,6 +53,11 @@ std::optional<std::uint32_t> colorOffset(const PointCloud2& message) {
   return std::nullopt;
 }
 
+/// The bytes from one row to the next; some drivers leave them out where rows follow one another.
+std::uint64_t rowStep(const PointCloud2& message) {
+  return message.row_step != 0 ? message.row_step : std::uint64_t{message.width} * message.point_step;
+}
+
 /// 64-bit sums: a hostile message must not pass by overflow.
 Status checkLayout(const PointCloud2& message) {
   const std::uint64_t width = message.width, height = message.height, step = message.point_step;
@@ -61,11 +66,12 @@ Status checkLayout(const PointCloud2& message) {
   }
   if (message.is_bigendian) return bad("cloud is big-endian, which is not supported");
   const std::uint64_t row = width * step;
-  if (height > 1 && message.row_step < row) {
+  if (height > 1 && rowStep(message) < row) {
     return bad("row_step of the cloud is " + std::to_string(message.row_step) + " bytes, but a row of " +
                std::to_string(width) + " points of " + std::to_string(step) + " bytes takes " + std::to_string(row));
   }
-  const std::uint64_t needed = (height - 1) * std::uint64_t{message.row_step} + row;
+  // A row that fits bounds the step.
+  const std::uint64_t needed = row > message.data.size() ? row : (height - 1) * rowStep(message) + row;
   if (message.data.size() < needed) {
     return bad("cloud says " + std::to_string(width) + " x " + std::to_string(height) + " points, which takes " +
                std::to_string(needed) + " bytes, but carries " + std::to_string(message.data.size()));
@@ -91,6 +97,7 @@ Result<RawCloud> toRawCloud(const PointCloud2& message, int step) {
 
   Result<RawCloud> result;
   RawCloud& cloud = result.value;
+  cloud.frame_id = message.header.frame_id;
   const auto stride = static_cast<std::size_t>(step);
   cloud.width = static_cast<int>((message.width + stride - 1) / stride);
   cloud.height = static_cast<int>((message.height + stride - 1) / stride);
@@ -99,7 +106,7 @@ Result<RawCloud> toRawCloud(const PointCloud2& message, int step) {
   if (color) cloud.colors.resize(count);
   std::size_t i = 0;
   for (std::size_t v = 0; v < message.height; v += stride) {
-    const std::uint8_t* point = message.data.data() + v * message.row_step;
+    const std::uint8_t* point = message.data.data() + v * rowStep(message);
     for (std::size_t u = 0; u < message.width; u += stride, ++i, point += stride * message.point_step) {
       Eigen::Vector3f& p = cloud.points[i];
       std::memcpy(&p.x(), point + x.value, kFieldSize);

@@ -30,6 +30,20 @@ void chooseStep(std::uint32_t width, std::uint32_t height, SegmentedFrame& resul
                            " is used; a smaller one costs less");
 }
 
+/// The camera of a cloud, which is as it is: no lens is taken out of it.
+Result<objectness::PinholeCamera> cloudCamera(const sensor_msgs::CameraInfo& message,
+                                              std::vector<std::string>& remarks) {
+  auto camera = toPinholeCamera(message);
+  if (!camera.ok()) return camera;
+  const auto with_lens = toImageCamera(message);
+  if (!with_lens.ok()) return camera;
+  remarks.insert(remarks.end(), with_lens.value.remarks.begin(), with_lens.value.remarks.end());
+  const std::string remark =
+      with_lens.value.lens ? objectness::lensRemark(camera.value, *with_lens.value.lens) : std::string();
+  if (!remark.empty()) remarks.push_back(remark);
+  return camera;
+}
+
 FrameResult cloudFrame(const InputMessages& messages, const objectness::InputConfig& config, SegmentedFrame& result) {
   const sensor_msgs::PointCloud2& message = *messages.cloud;
   const bool organized = message.height > 1;
@@ -43,7 +57,7 @@ FrameResult cloudFrame(const InputMessages& messages, const objectness::InputCon
         "camera_info, or remap it to the camera of the image that the cloud is made from");
     return objectness::makeFrame(cloud.value, std::nullopt, config);
   }
-  auto camera = toPinholeCamera(*messages.camera_info);
+  const auto camera = cloudCamera(*messages.camera_info, result.remarks);
   if (!camera.ok()) return FrameResult::error(camera.status);
   if (!organized) {
     // The camera alone says how large the frame becomes.
@@ -54,10 +68,13 @@ FrameResult cloudFrame(const InputMessages& messages, const objectness::InputCon
                                                                std::to_string(camera.value.height) +
                                                                " pixels is too large to restore its grid");
     }
-  } else if (camera.value.width == result.input_width && camera.value.height == result.input_height) {
-    camera.value = thinned(camera.value, result.step);
+    return objectness::makeFrame(cloud.value, camera.value, config);
   }
-  return objectness::makeFrame(cloud.value, camera.value, config);
+  if (result.step == 1) return objectness::makeFrame(cloud.value, camera.value, config);
+  const auto sized =
+      objectness::cameraOfSize(camera.value, result.input_width, result.input_height, "cloud", result.remarks);
+  if (!sized.ok()) return FrameResult::error(sized.status);
+  return objectness::makeFrame(cloud.value, thinned(sized.value, result.step), config);
 }
 
 /// Colour is not needed: what is wrong with it is a remark.
@@ -86,13 +103,14 @@ FrameResult depthFrame(const InputMessages& messages, const objectness::InputCon
         "there is no camera_info of the depth image's stamp or frame_id, and it cannot be used without: remap "
         "camera_info to its camera");
   }
-  auto camera = toPinholeCamera(*messages.camera_info);
+  auto camera = toImageCamera(*messages.camera_info);
   if (!camera.ok()) return FrameResult::error(camera.status);
   const cv::Size size = depth.value.size();
   chooseStep(static_cast<std::uint32_t>(size.width), static_cast<std::uint32_t>(size.height), result);
-  if (camera.value.width == size.width && camera.value.height == size.height) {
-    camera.value = thinned(camera.value, result.step);
-  }
+  const auto sized =
+      objectness::cameraOfSize(camera.value.pinhole, size.width, size.height, "depth image", camera.value.remarks);
+  if (!sized.ok()) return FrameResult::error(sized.status);
+  camera.value.pinhole = thinned(sized.value, result.step);
   return objectness::makeFrame(thinned(depth.value, result.step),
                                thinned(usableColor(messages, size, result.remarks), result.step), camera.value, config);
 }

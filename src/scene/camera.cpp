@@ -20,6 +20,16 @@ bool focalLengthFits(double focal, int side) {
 
 }  // namespace
 
+PinholeCamera thinned(PinholeCamera camera, int step) {
+  camera.fx /= step;
+  camera.fy /= step;
+  camera.cx /= step;
+  camera.cy /= step;
+  camera.width = (camera.width + step - 1) / step;
+  camera.height = (camera.height + step - 1) / step;
+  return camera;
+}
+
 Status validate(const PinholeCamera& camera) {
   std::ostringstream reason;
   const bool finite =

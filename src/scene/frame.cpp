@@ -7,6 +7,8 @@
 #include <sstream>
 
 #include "bridged_gaps.hpp"
+#include "frame_axes.hpp"
+#include "lens.hpp"
 #include "organize.hpp"
 
 namespace objectness {
@@ -35,7 +37,10 @@ Result<Frame> finish(Frame frame, const InputConfig& config) {
     std::ostringstream why;
     why << "none of the " << frame.points.size() << " pixels has a depth within " << config.min_depth_m << " and "
         << config.max_depth_m << " m (" << finite << " have any depth)";
-    if (finite > 0) why << ": set input.min_depth_m and input.max_depth_m, or check the unit of the depth";
+    if (finite > 0) {
+      why << ": set input.min_depth_m and input.max_depth_m, or check the unit of the depth (--depth-scale, "
+             "input.depth_unit_m)";
+    }
     return Result<Frame>::error(StatusCode::kNoValidPoints, why.str());
   }
   bridgeGaps(config.max_gap_px, frame);
@@ -67,19 +72,39 @@ Status checkCameraFits(const RawCloud& cloud, const PinholeCamera& camera) {
     const Eigen::Vector2d pixel(i % cloud.width, i / cloud.width);
     mismatch.push_back((camera.project(p.cast<double>()) - pixel).norm());
   }
-  if (mismatch.empty()) return {};
+  if (mismatch.empty()) {
+    const std::string other_frame = otherFrameOf(cloud);
+    return other_frame.empty() ? Status() : Status::error(StatusCode::kBadCamera, other_frame);
+  }
   const auto median = mismatch.begin() + mismatch.size() / 2;
   std::nth_element(mismatch.begin(), median, mismatch.end());
   if (*median <= kMaxMedianMismatchPx) return {};
   std::ostringstream why;
   why << "the camera is not the one that took the cloud: points project " << *median
-      << " px (median) from their own pixels; leave the camera out to recover it from the grid";
+      << " px (median) from their own pixels; ";
+  const Result<PinholeCamera> own = recoverCamera(cloud);
+  why << (own.ok() ? "leave the camera out to recover it from the grid" : own.status.message);
   return Status::error(StatusCode::kBadCamera, why.str());
 }
 
-}  // namespace
+/// The given camera, in the cloud's size.
+Result<PinholeCamera> cameraOfCloud(const RawCloud& cloud, const PinholeCamera& given,
+                                    std::vector<std::string>& remarks) {
+  const Result<PinholeCamera> camera = cameraOfSize(given, cloud.width, cloud.height, "cloud", remarks);
+  if (!camera.ok()) return camera;
+  const Status fits = checkCameraFits(cloud, camera.value);
+  if (fits.ok()) return camera;
+  if (camera.value.width == given.width) return Result<PinholeCamera>::error(fits);
+  // Whole multiples are no sign of thinning where the points do not agree.
+  return Result<PinholeCamera>::error(StatusCode::kSizeMismatch, "cloud is " + sizeText(cloud.width, cloud.height) +
+                                                                     " but its camera is " +
+                                                                     sizeText(given.width, given.height) +
+                                                                     ", and not thinned out from it: " + fits.message);
+}
 
-Result<Frame> makeFrame(const RawCloud& cloud, const std::optional<PinholeCamera>& camera, const InputConfig& config) {
+/// makeFrame() of a cloud as it is.
+Result<Frame> frameOfCloud(const RawCloud& cloud, const std::optional<PinholeCamera>& camera,
+                           const InputConfig& config) {
   Status status = checkSizes(cloud);
   if (status.ok() && camera) status = validate(*camera);
   if (!status.ok()) return Result<Frame>::error(status);
@@ -98,14 +123,9 @@ Result<Frame> makeFrame(const RawCloud& cloud, const std::optional<PinholeCamera
 
   Frame frame;
   if (camera) {
-    if (camera->width != cloud.width || camera->height != cloud.height) {
-      return Result<Frame>::error(StatusCode::kSizeMismatch, "cloud is " + sizeText(cloud.width, cloud.height) +
-                                                                 " but its camera is " +
-                                                                 sizeText(camera->width, camera->height));
-    }
-    status = checkCameraFits(cloud, *camera);
-    if (!status.ok()) return Result<Frame>::error(status);
-    frame.camera = *camera;
+    const Result<PinholeCamera> fitting = cameraOfCloud(cloud, *camera, frame.remarks);
+    if (!fitting.ok()) return Result<Frame>::error(fitting.status);
+    frame.camera = fitting.value;
   } else {
     const bool any_finite =
         std::any_of(cloud.points.begin(), cloud.points.end(), [](const auto& p) { return p.allFinite(); });
@@ -123,7 +143,64 @@ Result<Frame> makeFrame(const RawCloud& cloud, const std::optional<PinholeCamera
   return finish(std::move(frame), config);
 }
 
+/// Metres of a unit of a 16-bit depth image: the configuration goes before what the camera's file says.
+float unitOf(const ImageCamera& camera, const InputConfig& config) {
+  constexpr double kMillimetre = 0.001;
+  const double unit = config.depth_unit_m > 0 ? config.depth_unit_m : camera.depth_unit_m;
+  return static_cast<float>(unit > 0 ? unit : kMillimetre);
+}
+
+/// depth: CV_16UC1 or CV_32FC1 (metres).
+cv::Mat_<float> toMetres(const cv::Mat& depth, float unit_m) {
+  if (depth.type() == CV_32FC1) return depth;
+  cv::Mat_<float> metres(depth.size());
+  std::transform(depth.begin<ushort>(), depth.end<ushort>(), metres.begin(),
+                 [&](ushort value) { return value * unit_m; });
+  return metres;
+}
+
+/// Rectifies the depth and the frame's colours.
+void rectify(const LensDistortion& lens, cv::Mat_<float>& depth_m, Frame& frame) {
+  const cv::Mat_<cv::Point2f> raw_pixels = rawPixels(frame.camera, lens);
+  depth_m = rectifyDepth(depth_m, raw_pixels);
+  if (!frame.color.empty()) frame.color = rectifyColor(frame.color, raw_pixels);
+  frame.rectified = true;
+  frame.remarks.emplace_back(
+      "the camera has lens distortion and no projection matrix: the depth image was rectified, and the pixels of the "
+      "results are those of the rectified image");
+}
+
+/// The cloud as its sensor sees it.
+RawCloud seenFromSensor(const RawCloud& cloud) {
+  RawCloud seen = cloud;
+  const Eigen::Isometry3d T_sensor_cloud = cloud.T_cloud_sensor->inverse();
+  for (Eigen::Vector3f& p : seen.points) p = (T_sensor_cloud * p.cast<double>()).cast<float>();
+  return seen;
+}
+
+}  // namespace
+
+Result<Frame> makeFrame(const RawCloud& cloud, const std::optional<PinholeCamera>& camera, const InputConfig& config) {
+  Result<Frame> frame = frameOfCloud(cloud, camera, config);
+  const bool no_view = frame.status.code == StatusCode::kBadCamera ||
+                       (frame.status.code == StatusCode::kNotOrganized && camera.has_value());
+  if (!no_view || !cloud.T_cloud_sensor) return frame;
+  Result<Frame> moved = frameOfCloud(seenFromSensor(cloud), camera, config);
+  if (moved.ok()) {
+    moved.value.remarks.emplace_back(
+        "the cloud is seen from its VIEWPOINT: results are in the camera's optical frame there, not in the cloud's");
+    return moved;
+  }
+  frame.status.message += " (nor is it a view from its VIEWPOINT)";
+  return frame;
+}
+
 Result<Frame> makeFrame(const cv::Mat& depth, const cv::Mat& color, const PinholeCamera& camera,
+                        const InputConfig& config) {
+  return makeFrame(depth, color, ImageCamera(camera), config);
+}
+
+Result<Frame> makeFrame(const cv::Mat& depth, const cv::Mat& color, const ImageCamera& image_camera,
                         const InputConfig& config) {
   if (depth.empty()) return Result<Frame>::error(StatusCode::kBadInput, "depth image is empty");
   if (depth.type() != CV_16UC1 && depth.type() != CV_32FC1) {
@@ -133,32 +210,33 @@ Result<Frame> makeFrame(const cv::Mat& depth, const cv::Mat& color, const Pinhol
   if (!color.empty() && color.type() != CV_8UC3) {
     return Result<Frame>::error(StatusCode::kBadInput, "colour image must have three channels of 8 bits (BGR)");
   }
-  const Status status = validate(camera);
+  Status status = validate(image_camera.pinhole);
+  if (status.ok() && image_camera.lens) status = validate(*image_camera.lens);
   if (!status.ok()) return Result<Frame>::error(status);
-  if (depth.cols != camera.width || depth.rows != camera.height) {
-    return Result<Frame>::error(StatusCode::kSizeMismatch, "depth image is " + sizeText(depth.cols, depth.rows) +
-                                                               " but its camera is " +
-                                                               sizeText(camera.width, camera.height));
-  }
+  Frame frame;
+  frame.remarks = image_camera.remarks;
+  const Result<PinholeCamera> sized =
+      cameraOfSize(image_camera.pinhole, depth.cols, depth.rows, "depth image", frame.remarks);
+  if (!sized.ok()) return Result<Frame>::error(sized.status);
+  const PinholeCamera& camera = frame.camera = sized.value;
   if (!color.empty() && color.size() != depth.size()) {
     return Result<Frame>::error(StatusCode::kSizeMismatch, "colour image is " + sizeText(color.cols, color.rows) +
                                                                " but the depth image is " +
                                                                sizeText(depth.cols, depth.rows));
   }
 
-  Frame frame;
-  frame.camera = camera;
+  cv::Mat_<float> depth_m = toMetres(depth, unitOf(image_camera, config));
+  if (!color.empty()) frame.color = color.clone();
+  if (image_camera.lens) rectify(*image_camera.lens, depth_m, frame);
   frame.points.resize(static_cast<std::size_t>(frame.size()));
-  const bool millimetres = depth.type() == CV_16UC1;
   const float nan = std::numeric_limits<float>::quiet_NaN();
   std::size_t i = 0;
   for (int v = 0; v < camera.height; ++v) {
     for (int u = 0; u < camera.width; ++u, ++i) {
-      const float z = millimetres ? depth.at<ushort>(v, u) * 0.001f : depth.at<float>(v, u);
+      const float z = depth_m(v, u);
       frame.points[i] = z > 0 ? Eigen::Vector3f(camera.ray(u, v).cast<float>() * z) : Eigen::Vector3f(nan, nan, nan);
     }
   }
-  if (!color.empty()) frame.color = color.clone();
   return finish(std::move(frame), config);
 }
 

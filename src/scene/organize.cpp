@@ -1,57 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "organize.hpp"
 
-#include <cmath>
 #include <limits>
-#include <sstream>
+
+#include "view_check.hpp"
 
 namespace objectness {
-namespace {
-
-// A view of the camera has its points on the rays of pixel centres. Points from elsewhere (merged, subsampled, another
-// camera) are spread evenly over the pixels, and a disk of this radius holds only 79 % of a pixel.
-constexpr double kOnPixelRadiusPx = 0.5;
-constexpr double kMinShareOnPixels = 0.9;
-
-/// Where the camera sees a point.
-struct SeenAt {
-  bool inside = false, on_pixel = false;
-  int u = 0, v = 0;
-};
-
-SeenAt lookAt(const Eigen::Vector3f& p, const PinholeCamera& camera) {
-  if (!p.allFinite() || p.z() <= 0) return {};
-  const Eigen::Vector2d pixel = camera.project(p.cast<double>());
-  const Eigen::Vector2d centre(std::round(pixel.x()), std::round(pixel.y()));
-  if (!(centre.x() >= 0 && centre.y() >= 0 && centre.x() < camera.width && centre.y() < camera.height)) return {};
-  return {true, (pixel - centre).norm() <= kOnPixelRadiusPx, static_cast<int>(centre.x()),
-          static_cast<int>(centre.y())};
-}
-
-/// kNotOrganized or kNoValidPoints when the cloud is no view of the camera.
-Status checkIsView(const RawCloud& cloud, const PinholeCamera& camera) {
-  std::size_t finite = 0, on_pixel = 0;
-  for (const Eigen::Vector3f& p : cloud.points) {
-    finite += p.allFinite();
-    on_pixel += lookAt(p, camera).on_pixel;
-  }
-  if (finite == 0) {
-    return Status::error(StatusCode::kNoValidPoints,
-                         "none of the cloud's " + std::to_string(cloud.points.size()) + " points is finite");
-  }
-  if (on_pixel >= kMinShareOnPixels * finite) return {};
-  std::ostringstream why;
-  why << "cloud is " << cloud.width << " x " << cloud.height << ", not organized, and only "
-      << static_cast<int>(100.0 * on_pixel / finite) << " % of its points lie on pixels of the given camera ("
-      << camera.width << " x " << camera.height << ", fx " << camera.fx << ", cx " << camera.cx << ", cy " << camera.cy
-      << "): give the camera that took it";
-  return Status::error(StatusCode::kNotOrganized, why.str());
-}
-
-}  // namespace
 
 Result<Frame> organize(const RawCloud& cloud, const PinholeCamera& camera) {
-  // First, as the memory that the camera asks for may be much more than the cloud's.
   const Status view = checkIsView(cloud, camera);
   if (!view.ok()) return Result<Frame>::error(view);
   Frame frame;

@@ -4,6 +4,8 @@
 #include <sstream>
 #include <vector>
 
+#include "frame_axes.hpp"
+#include "moved_view.hpp"
 #include "objectness_segmentation/scene/frame.hpp"
 
 namespace objectness {
@@ -11,6 +13,8 @@ namespace {
 
 constexpr int kMinPoints = 20;
 constexpr double kMaxMedianResidualPx = 0.5;
+// A camera that is given need not fit better than this (checkCameraFits()): up to here giving it may help.
+constexpr double kMaxGivenMismatchPx = 3.0;
 
 /// Least squares of pixel = focal * tangent + centre along one image axis.
 class AxisFit {
@@ -34,53 +38,83 @@ class AxisFit {
 
 bool usable(const Eigen::Vector3f& p) { return p.allFinite() && p.z() > 0; }
 
-}  // namespace
+/// The camera that fits the grid best once the points are turned.
+struct GridFit {
+  int points = 0;  ///< in front of the camera
+  bool solved = false;
+  PinholeCamera camera;
+  double residual_px = 0;  ///< median
 
-Result<PinholeCamera> recoverCamera(const RawCloud& cloud) {
-  const auto fail = [](const std::string& why) {
-    return Result<PinholeCamera>::error(StatusCode::kBadCamera,
-                                        why + "; give the camera that took it (--camera CAMERA.yaml)");
-  };
+  bool good() const {
+    return solved && residual_px <= kMaxMedianResidualPx && camera.fx > 0 && camera.fy > 0 && validate(camera).ok();
+  }
+};
+
+GridFit fitGrid(const RawCloud& cloud, const Eigen::Matrix3f& rotation) {
+  GridFit fit;
   AxisFit fit_x, fit_y;
-  int count = 0;
   for (int v = 0, i = 0; v < cloud.height; ++v) {
     for (int u = 0; u < cloud.width; ++u, ++i) {
-      const Eigen::Vector3f& p = cloud.points[i];
+      const Eigen::Vector3f p = rotation * cloud.points[i];
       if (!usable(p)) continue;
       fit_x.add(p.x() / double(p.z()), u);
       fit_y.add(p.y() / double(p.z()), v);
-      ++count;
+      ++fit.points;
     }
   }
-  if (count < kMinPoints) {
-    return fail("cannot recover the camera from a cloud of " + std::to_string(count) + " valid points");
-  }
-
-  PinholeCamera camera;
+  PinholeCamera& camera = fit.camera;
   camera.width = cloud.width, camera.height = cloud.height;
-  if (!fit_x.solve(camera.fx, camera.cx) || !fit_y.solve(camera.fy, camera.cy)) {
-    return fail("cannot recover the camera: all valid points lie in one row or column");
-  }
+  fit.solved = fit.points >= kMinPoints && fit_x.solve(camera.fx, camera.cx) && fit_y.solve(camera.fy, camera.cy);
+  if (!fit.solved) return fit;
   std::vector<float> residuals;
-  residuals.reserve(count);
+  residuals.reserve(fit.points);
   for (int v = 0, i = 0; v < cloud.height; ++v) {
     for (int u = 0; u < cloud.width; ++u, ++i) {
-      const Eigen::Vector3f& p = cloud.points[i];
+      const Eigen::Vector3f p = rotation * cloud.points[i];
       if (usable(p)) residuals.push_back((camera.project(p.cast<double>()) - Eigen::Vector2d(u, v)).norm());
     }
   }
   const auto median = residuals.begin() + residuals.size() / 2;
   std::nth_element(residuals.begin(), median, residuals.end());
-  if (!(*median <= kMaxMedianResidualPx) || camera.fx <= 0 || camera.fy <= 0) {
-    std::ostringstream why;
-    why << "the cloud's grid is no pinhole view in the optical frame (x right, y down, z forward): the best camera has "
-           "fx "
-        << camera.fx << ", fy " << camera.fy << " and misses the median pixel by " << *median << " px";
-    return fail(why.str());
+  fit.residual_px = *median;
+  return fit;
+}
+
+/// Why the optical frame's fit failed, and what would help.
+std::string reasonFor(const RawCloud& cloud, const GridFit& fit) {
+  const std::string other_frame = otherFrameOf(cloud);
+  if (!other_frame.empty()) return other_frame;
+  const std::string give_camera = "; give the camera that took it (--camera CAMERA.yaml)";
+  if (fit.points < kMinPoints) {
+    return "cannot recover the camera from a cloud of " + std::to_string(fit.points) +
+           " valid points in front of it (z forward)" + give_camera;
   }
-  const Status status = validate(camera);
+  if (!fit.solved) return "cannot recover the camera: all valid points lie in one row or column" + give_camera;
+  std::ostringstream why;
+  why << "the cloud's grid is no pinhole view in the optical frame (x right, y down, z forward), nor in any other: the "
+         "best camera has fx "
+      << fit.camera.fx << ", fy " << fit.camera.fy << " and misses the median pixel by " << fit.residual_px << " px";
+  why << (fit.residual_px <= kMaxGivenMismatchPx ? give_camera : "; clouds of spinning or fisheye sensors are none");
+  return why.str();
+}
+
+}  // namespace
+
+std::string otherFrameOf(const RawCloud& cloud) {
+  for (const FrameAxes& axes : otherAxes()) {
+    if (fitGrid(cloud, axes.R_optical_cloud).good()) return notOptical(cloud, axes.name);
+  }
+  if (isMovedView(cloud)) return notOptical(cloud, "it was turned or moved, as into the frame of a world or a robot");
+  return "";
+}
+
+Result<PinholeCamera> recoverCamera(const RawCloud& cloud) {
+  const GridFit fit = fitGrid(cloud, Eigen::Matrix3f::Identity());
+  const bool fits = fit.solved && fit.residual_px <= kMaxMedianResidualPx && fit.camera.fx > 0 && fit.camera.fy > 0;
+  if (!fits) return Result<PinholeCamera>::error(StatusCode::kBadCamera, reasonFor(cloud, fit));
+  const Status status = validate(fit.camera);
   if (!status.ok()) return Result<PinholeCamera>::error(status);
-  return {{}, camera};
+  return {{}, fit.camera};
 }
 
 }  // namespace objectness

@@ -8,6 +8,7 @@
 #include "config_options.hpp"
 #include "objectness_segmentation/io/camera_yaml.hpp"
 #include "objectness_segmentation/io/config_yaml.hpp"
+#include "objectness_segmentation/io/depth_scale.hpp"
 
 namespace objectness {
 namespace {
@@ -29,6 +30,7 @@ constexpr const char* kExamples =
     "Examples:\n"
     "  segment --pictures --out results scene\n"
     "  segment --out results --camera camera.yaml list_of_points.pcd\n"
+    "  segment --out results --depth-scale 5000 scene_of_fifths_of_a_millimetre\n"
     "  segment --out results --set search.angle_step_deg=10 --set filter.threshold=0.8 scenes/*\n"
     "  segment --print-config --set volume.min_extent_m=1 > preset.yaml\n"
     "  segment --config preset.yaml --out results scene\n"
@@ -46,6 +48,9 @@ po::options_description shownOptions() {
   addConfigOptions(options);
   add("camera", po::value<std::string>()->value_name("CAMERA.yaml"),
       "the camera of .pcd files (otherwise recovered from the pixel grid) and of folders without camera.yaml");
+  add("depth-scale", po::value<std::string>()->value_name("N"),
+      "unit of depth.png: N units are a metre, or where N is less than 1, metres of a unit (input.depth_unit_m; "
+      "otherwise depth_scale of camera.yaml, or 1000: millimetres)");
   add("pictures", po::bool_switch(), "write DIR/NAME/overlay.png too");
   add("out", po::value<std::string>()->value_name("DIR"), "folder for the results, made when missing");
   add("list-parameters", po::bool_switch(), "print every parameter: name, type, default, least, largest, description");
@@ -73,6 +78,11 @@ Result<SegmentOptions> interpret(const po::variables_map& values) {
   std::vector<std::string> inputs = listOf(values, "input");
   const Status status = readConfigOptions(values, inputs, options.value.config);
   if (!status.ok()) return bad(status.message);
+  if (values.count("depth-scale")) {
+    const Result<double> unit = depthUnit(text("depth-scale"));
+    if (!unit.ok()) return bad("--depth-scale " + unit.status.message);
+    options.value.config.input.depth_unit_m = unit.value;
+  }
   if (is_set("print-config")) {
     options.value.print = toYaml(options.value.config);
     return options;
@@ -81,7 +91,7 @@ Result<SegmentOptions> interpret(const po::variables_map& values) {
   const Status model = readModelOption(values, options.value.model);
   if (!model.ok()) return bad(model.message);
   if (values.count("camera")) {
-    const Result<PinholeCamera> camera = loadCamera(text("camera"));
+    const Result<ImageCamera> camera = loadImageCamera(text("camera"));
     if (!camera.ok()) return bad("--camera " + text("camera") + ": " + camera.status.message);
     options.value.camera = camera.value;
   }

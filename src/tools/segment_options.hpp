@@ -8,7 +8,7 @@
 #include "objectness_segmentation/common/status.hpp"
 #include "objectness_segmentation/config.hpp"
 #include "objectness_segmentation/learning/learned_objectness.hpp"
-#include "objectness_segmentation/scene/camera.hpp"
+#include "objectness_segmentation/scene/image_camera.hpp"
 
 namespace objectness {
 
@@ -16,7 +16,7 @@ namespace objectness {
 struct SegmentOptions {
   Config config;
   std::optional<LearnedObjectness> model;  ///< none: the built-in one
-  std::optional<PinholeCamera> camera;
+  std::optional<ImageCamera> camera;
   std::string out;
   bool pictures = false;
   std::vector<std::string> inputs;

@@ -76,6 +76,20 @@ TEST(RecoverCamera, RefusesAGridThatIsNoPinholeView) {
   EXPECT_NE(camera.status.message.find("optical frame"), std::string::npos) << camera.status.message;
 }
 
+TEST(RecoverCamera, SpinningSensorsAreNotSaidToBeMovedCameras) {
+  RawCloud cloud{360, 60, {}, {}};
+  for (int i = 0; i < 360 * 60; ++i) {
+    const float azimuth = 3.14159F / 180 * (i % 360 - 180), elevation = 0.01F * (i / 360 - 30);
+    const float range = 2 + 0.5F * std::sin(3 * azimuth) + 0.2F * std::cos(7 * elevation);
+    cloud.points.emplace_back(range * std::cos(elevation) * std::cos(azimuth),
+                              -range * std::cos(elevation) * std::sin(azimuth), -range * std::sin(elevation));
+  }
+  const Result<PinholeCamera> camera = recoverCamera(cloud);
+  EXPECT_EQ(camera.status.code, StatusCode::kBadCamera);
+  EXPECT_NE(camera.status.message.find("no pinhole view in the optical frame"), std::string::npos)
+      << camera.status.message;
+}
+
 TEST(RecoverCamera, RefusesTooFewPointsAndSingleColumns) {
   RawCloud cloud = cloudOf(tableView());
   const float nan = std::numeric_limits<float>::quiet_NaN();

@@ -75,7 +75,7 @@ TEST(Frame, DepthImageErrorsAreNamed) {
   EXPECT_EQ(code(cv::Mat(480, 640, CV_8UC3), cv::Mat(), kinect()), StatusCode::kBadInput);
   EXPECT_EQ(code(depth, cv::Mat(480, 640, CV_8U), kinect()), StatusCode::kBadInput);
   EXPECT_EQ(code(depth, cv::Mat(), {}), StatusCode::kBadCamera);
-  EXPECT_EQ(code(depth(cv::Rect(0, 0, 320, 240)), cv::Mat(), kinect()), StatusCode::kSizeMismatch);
+  EXPECT_EQ(code(depth(cv::Rect(0, 0, 300, 240)), cv::Mat(), kinect()), StatusCode::kSizeMismatch);
   EXPECT_EQ(code(depth, cv::Mat(240, 320, CV_8UC3), kinect()), StatusCode::kSizeMismatch);
   EXPECT_EQ(code(cv::Mat::zeros(480, 640, CV_16U), cv::Mat(), kinect()), StatusCode::kNoValidPoints);
   EXPECT_EQ(code(cv::Mat(480, 640, CV_16U, cv::Scalar(9000)), cv::Mat(), kinect()), StatusCode::kNoValidPoints);
@@ -150,6 +150,124 @@ TEST(Frame, CloudErrorsAreNamed) {
   EXPECT_EQ(makeFrame(bad, std::nullopt, {}).status.code, StatusCode::kNoValidPoints);
   bad.height = 1, bad.width = static_cast<int>(bad.points.size());
   EXPECT_EQ(makeFrame(bad, kinect(), {}).status.code, StatusCode::kNoValidPoints);
+}
+
+TEST(Frame, ThinnedOutImagesAndCloudsTakeTheWholeCamera) {
+  const Frame whole = view();
+  Frame small;
+  small.camera = thinned(whole.camera, 4);
+  cv::Mat_<float> depth(120, 160, 0.0f);
+  for (int i = 0; i < small.size(); ++i) {
+    small.points.push_back(whole.points[i / 160 * 4 * 640 + i % 160 * 4]);
+    if (small.points[i].allFinite()) depth(i / 160, i % 160) = small.points[i].z();
+  }
+  const Result<Frame> of_image = makeFrame(depth, cv::Mat(), kinect(), {});
+  const Result<Frame> of_cloud = makeFrame(RawCloud{160, 120, small.points, {}}, kinect(), {});
+  for (const Result<Frame>& frame : {of_image, of_cloud}) {
+    ASSERT_TRUE(frame.ok()) << frame.status.message;
+    ASSERT_EQ(frame.value.width(), 160);
+    EXPECT_EQ(frame.value.camera.fx, small.camera.fx);
+    ASSERT_EQ(frame.value.remarks.size(), 1u);
+    EXPECT_NE(frame.value.remarks[0].find("one row and column in 4"), std::string::npos) << frame.value.remarks[0];
+    for (int i = 0; i < small.size(); ++i) {
+      if (!small.points[i].allFinite()) continue;
+      ASSERT_LT((frame.value.points[i] - small.points[i]).norm(), 1e-5f) << i;
+    }
+  }
+}
+
+TEST(Frame, PartsOfAViewAreNotTakenForThinnedOutOnes) {
+  const Frame whole = view();
+  RawCloud part{320, 240, {}, {}};
+  for (int i = 0; i < 320 * 240; ++i) part.points.push_back(whole.points[(i / 320 + 120) * 640 + i % 320 + 160]);
+  const Result<Frame> frame = makeFrame(part, kinect(), {});
+  EXPECT_EQ(frame.status.code, StatusCode::kSizeMismatch);
+  EXPECT_NE(frame.status.message.find("cloud is 320 x 240 but its camera is 640 x 480"), std::string::npos)
+      << frame.status.message;
+}
+
+TEST(Frame, DepthOfOtherUnits) {
+  cv::Mat_<ushort> fifths(480, 640, static_cast<ushort>(4321));
+  InputConfig config;
+  config.depth_unit_m = 0.0002;
+  EXPECT_FLOAT_EQ(makeFrame(fifths, cv::Mat(), kinect(), config).value.points[0].z(), 0.8642f);
+  ImageCamera camera = kinect();
+  camera.depth_unit_m = 0.0001;
+  EXPECT_FLOAT_EQ(makeFrame(fifths, cv::Mat(), camera, {}).value.points[0].z(), 0.4321f);
+  EXPECT_FLOAT_EQ(makeFrame(fifths, cv::Mat(), camera, config).value.points[0].z(), 0.8642f)
+      << "the configuration goes first";
+  const cv::Mat_<float> metres(480, 640, 1.5f);
+  EXPECT_FLOAT_EQ(makeFrame(metres, cv::Mat(), camera, config).value.points[0].z(), 1.5f);
+}
+
+namespace {
+
+const Eigen::Isometry3d kPose = lookAt({0.4, -0.8, 1.3}, {0, 0, 0});
+
+RawCloud movedCloud(const Eigen::Isometry3d& T_world_camera) {
+  RawCloud cloud = organizedCloud();
+  cloud.colors.clear();
+  for (Eigen::Vector3f& p : cloud.points) p = (T_world_camera * p.cast<double>()).cast<float>();
+  return cloud;
+}
+
+}  // namespace
+
+TEST(Frame, CloudsInOtherFramesAreNamedWithAndWithoutCamera) {
+  Eigen::Isometry3d body = Eigen::Isometry3d::Identity(), open_gl = Eigen::Isometry3d::Identity();
+  body.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+  open_gl.linear() << 1, 0, 0, 0, -1, 0, 0, 0, -1;
+  const struct {
+    Eigen::Isometry3d pose;
+    std::string text;
+  } cases[] = {{body, "x axis points forward"}, {open_gl, "z axis points backward"}, {kPose, "turned or moved"}};
+  for (const auto& c : cases) {
+    for (const bool with_camera : {true, false}) {
+      RawCloud cloud = movedCloud(c.pose);
+      cloud.frame_id = "base_link";
+      const Status status =
+          makeFrame(cloud, with_camera ? std::optional<PinholeCamera>(kinect()) : std::nullopt, {}).status;
+      EXPECT_EQ(status.code, StatusCode::kBadCamera) << c.text;
+      EXPECT_NE(status.message.find("'base_link' is not the camera's optical frame"), std::string::npos)
+          << status.message;
+      EXPECT_NE(status.message.find(c.text), std::string::npos) << status.message;
+      for (const char* circle : {"leave the camera out", "give the camera"}) {
+        EXPECT_EQ(status.message.find(circle), std::string::npos) << status.message;
+      }
+    }
+  }
+}
+
+TEST(Frame, CloudsAreSeenFromTheirViewpointWhereThatMakesThemAView) {
+  RawCloud cloud = movedCloud(kPose), list = listCloud();
+  for (Eigen::Vector3f& p : list.points) p = (kPose * p.cast<double>()).cast<float>();
+  cloud.T_cloud_sensor = list.T_cloud_sensor = kPose;
+  const RawCloud original = organizedCloud();
+  for (const Result<Frame>& frame :
+       {makeFrame(cloud, kinect(), {}), makeFrame(cloud, std::nullopt, {}), makeFrame(list, kinect(), {})}) {
+    ASSERT_TRUE(frame.ok()) << frame.status.message;
+    ASSERT_EQ(frame.value.remarks.size(), 1u);
+    EXPECT_NE(frame.value.remarks[0].find("VIEWPOINT"), std::string::npos);
+    for (int i = 0; i < frame.value.size(); ++i) {
+      ASSERT_EQ(frame.value.points[i].allFinite(), original.points[i].allFinite()) << i;
+      if (!original.points[i].allFinite()) continue;
+      ASSERT_LT((frame.value.points[i] - original.points[i]).norm(), 1e-5f) << i;
+    }
+  }
+}
+
+TEST(Frame, ViewpointsOfCloudsThatAreViewsAlreadyAreLeftAlone) {
+  RawCloud cloud = organizedCloud();
+  cloud.T_cloud_sensor = kPose;
+  const Result<Frame> frame = makeFrame(cloud, kinect(), {});
+  ASSERT_TRUE(frame.ok());
+  EXPECT_TRUE(frame.value.remarks.empty());
+  expectSamePoints(frame.value, cloud.points);
+  cloud = movedCloud(lookAt({0.1, -0.5, 0.5}, {0, 0, 0}));
+  cloud.T_cloud_sensor = kPose;
+  const Status status = makeFrame(cloud, kinect(), {}).status;
+  EXPECT_EQ(status.code, StatusCode::kBadCamera);
+  EXPECT_NE(status.message.find("VIEWPOINT"), std::string::npos) << status.message;
 }
 
 TEST(Frame, DepthRangeIsInclusive) {

@@ -92,6 +92,24 @@ TEST_F(PcdFile, ListNeedsTheCamera) {
   EXPECT_TRUE(with.value.points[5 * 32 + 9].isApprox(pointAt(9, 5), 1e-4f));
 }
 
+TEST_F(PcdFile, ViewpointIsTheSensorsPose) {
+  const auto withViewpoint = [&](const std::string& viewpoint) {
+    std::string text = header("WIDTH 32\nHEIGHT 24", "768", "binary");
+    text.replace(text.find("0 0 0 1 0 0 0"), 13, viewpoint);
+    return load(text + data(false));
+  };
+  EXPECT_FALSE(withViewpoint("0 0 0 1 0 0 0").value.T_cloud_sensor) << "that of files that say nothing";
+  const auto cloud = withViewpoint("1 -2 0.5 0.6 0.8 0 0");
+  ASSERT_TRUE(cloud.ok() && cloud.value.T_cloud_sensor);
+  EXPECT_TRUE(cloud.value.T_cloud_sensor->translation().isApprox(Eigen::Vector3d(1, -2, 0.5), 1e-6));
+  EXPECT_TRUE(cloud.value.T_cloud_sensor->linear().isApprox(Eigen::Quaterniond(0.6, 0.8, 0, 0).matrix(), 1e-6));
+  for (const char* none : {"1 2 3 0 0 0 0", "1 2 3 5 0 0 0", "nan 0 0 1 0 0 0"}) {
+    const auto odd = withViewpoint(none);
+    EXPECT_TRUE(odd.ok()) << odd.status.message;
+    EXPECT_FALSE(odd.value.T_cloud_sensor) << none;
+  }
+}
+
 TEST_F(PcdFile, BadFiles) {
   const std::string good = header("WIDTH 32\nHEIGHT 24", "768", "binary");
   expectError("", "is empty");

@@ -103,12 +103,57 @@ TEST_F(SceneFolder, DepthOfEightBits) {
   expectError("depth.png: is 16-bit with 3 channels");
 }
 
-TEST_F(SceneFolder, SizesThatDiffer) {
+TEST_F(SceneFolder, DepthOfAnotherKindIsNamed) {
+  std::filesystem::remove(file("depth.png"));
+  for (const char* name : {"depth.exr", "depth.npy", "depth.tiff"}) {
+    writeBytes(file(name), "x");
+    expectError(std::string("holds ") + name + ", which is not read: convert it to depth.png");
+  }
+  const std::pair<std::string, std::string> formats[] = {
+      {std::string("II*\0", 4), "TIFF"}, {"\xff\xd8\xff\xe0", "JPEG"}, {"P5\n2 2\n65535\n", "PGM"}};
+  for (const auto& [bytes, name] : formats) {
+    writeBytes(file("depth.png"), bytes + "rest");
+    expectError("depth.png: is a " + name + " image, must be PNG");
+  }
+}
+
+TEST_F(SceneFolder, ColourThatDoesNotFitIsARemark) {
+  const auto expectRemark = [&](const std::string& text) {
+    const Result<Frame> frame = load();
+    ASSERT_TRUE(frame.ok()) << frame.status.message;
+    EXPECT_TRUE(frame.value.color.empty());
+    ASSERT_EQ(frame.value.remarks.size(), 1u);
+    EXPECT_NE(frame.value.remarks[0].find(text), std::string::npos) << frame.value.remarks[0];
+  };
   cv::imwrite(file("color.png"), cv::Mat(12, 16, CV_8UC3));
-  expectError("colour image is 16 x 12 but the depth image is 32 x 24");
+  expectRemark("color.png is 16 x 12, depth.png 32 x 24: the results have no colour");
+  writeBytes(file("color.png"), "no picture");
+  expectRemark("color.png: is not a PNG image");
+}
+
+TEST_F(SceneFolder, SizesThatDiffer) {
   std::filesystem::remove(file("color.png"));
+  cv::imwrite(file("depth.png"), cv::Mat(12, 20, CV_16UC1, cv::Scalar(1000)));
+  expectError("depth image is 20 x 12 but its camera is 32 x 24");
   cv::imwrite(file("depth.png"), cv::Mat(12, 16, CV_16UC1, cv::Scalar(1000)));
-  expectError("depth image is 16 x 12 but its camera is 32 x 24");
+  const Result<Frame> half = load();
+  ASSERT_TRUE(half.ok()) << half.status.message;
+  EXPECT_EQ(half.value.camera.fx, 25);
+  ASSERT_EQ(half.value.remarks.size(), 1u);
+}
+
+TEST_F(SceneFolder, TheUnitOfTheDepthStandsInTheCameraFile) {
+  const std::string camera = readBytes(file("camera.yaml"));
+  for (const char* scale : {"5000", "0.0002", "1/5000"}) {
+    writeBytes(file("camera.yaml"), camera + "depth_scale: " + scale + "\n");
+    const Result<Frame> frame = load();
+    ASSERT_TRUE(frame.ok()) << frame.status.message;
+    EXPECT_NEAR(frame.value.points[10 * 32 + 20].z(), 0.268F, 1e-6) << scale;
+  }
+  writeBytes(file("camera.yaml"), camera + "depth_scale: mm\n");
+  expectError("camera.yaml: has a depth_scale that is 'mm', must be");
+  writeBytes(file("camera.yaml"), camera + "depth_scale: [1, 2]\n");
+  expectError("camera.yaml: has a depth_scale that");
 }
 
 TEST_F(SceneFolder, NoDepthAtAll) {
@@ -146,8 +191,10 @@ TEST_F(SceneFolder, BrokenCameras) {
       {"{image_width: 32, image_height: 24, camera_matrix: {data: [50, 0, 15, 0, x, 11, 0, 0, 1]}}", "no number"},
       {"{image_width: 32, image_height: 24, camera_matrix: {data: [-50, 0, 15, 0, 50, 11, 0, 0, 1]}}", "focal lengths"},
       {"{image_width: 32, image_height: 24, camera_matrix: {data: [50, 0, 15, 0, 50, 11, 0, 0, 1]}, "
-       "distortion_coefficients: {data: [0.1, 0, 0, 0, 0]}}",
-       "has lens distortion and no projection_matrix"}};
+       "distortion_model: mirror, distortion_coefficients: {data: [0.1, 0, 0, 0, 0]}}",
+       "the distortion model 'mirror' is not known"},
+      {"{image_width: 32, image_height: 24, camera_matrix: {data: [50, 0, 15, 0, 50, 11, 0, 0, 1]}, binning_x: few}",
+       "no number"}};
   for (const auto& [yaml, expected] : cases) {
     writeBytes(file("camera.yaml"), yaml);
     expectError("camera.yaml: ");
@@ -167,6 +214,47 @@ TEST_F(SceneFolder, CameraForms) {
   const Result<PinholeCamera> message = loadCamera(file("camera.yaml"));
   ASSERT_TRUE(message.ok()) << message.status.message;
   EXPECT_EQ(message.value.fy, 41) << "a projection matrix of zeros is none";
+}
+
+TEST_F(SceneFolder, TheTextOfACameraInfoMessage) {
+  // As rostopic echo prints it.
+  writeBytes(
+      file("camera.yaml"),
+      "header: \n  seq: 7\n  stamp: \n    secs: 1\n    nsecs: 2\n  frame_id: \"optical\"\nheight: 96\nwidth: 128\n"
+      "distortion_model: \"plumb_bob\"\nD: [0.0, 0.0, 0.0, 0.0, 0.0]\n"
+      "K: [100.0, 0.0, 63.5, 0.0, 102.0, 47.5, 0.0, 0.0, 1.0]\nR: [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]\n"
+      "P: [100.0, 0.0, 63.5, 0.0, 0.0, 102.0, 47.5, 0.0, 0.0, 0.0, 1.0, 0.0]\nbinning_x: 2\nbinning_y: 2\n"
+      "roi: \n  x_offset: 30\n  y_offset: 20\n  height: 48\n  width: 64\n  do_rectify: False\n---\n");
+  const Result<PinholeCamera> camera = loadCamera(file("camera.yaml"));
+  ASSERT_TRUE(camera.ok()) << camera.status.message;
+  EXPECT_EQ(camera.value.width, 32);
+  EXPECT_EQ(camera.value.height, 24);
+  EXPECT_EQ(camera.value.fy, 51);
+  EXPECT_EQ(camera.value.cx, (63.5 - 30) / 2);
+  const Result<Frame> frame = load();
+  ASSERT_TRUE(frame.ok()) << frame.status.message;
+  EXPECT_TRUE(frame.value.remarks.empty());
+}
+
+TEST_F(SceneFolder, DepthThatIsNotRectified) {
+  const std::string camera =
+      "{image_width: 32, image_height: 24, camera_matrix: {data: [50, 0, 15.5, 0, 51, 11.5, 0, 0, 1]}, "
+      "distortion_model: plumb_bob, distortion_coefficients: {data: [-0.8, 0.1, 0, 0, 0]}";
+  writeBytes(file("camera.yaml"), camera + "}");
+  const Result<Frame> frame = load();
+  ASSERT_TRUE(frame.ok()) << frame.status.message;
+  EXPECT_TRUE(frame.value.rectified);
+  EXPECT_EQ(frame.value.remarks.size(), 1u);
+  const Result<PinholeCamera> rectified = loadCamera(file("camera.yaml"));
+  EXPECT_EQ(rectified.status.code, StatusCode::kBadCamera);
+  EXPECT_NE(rectified.status.message.find("has lens distortion and no projection_matrix"), std::string::npos);
+  writeBytes(file("camera.yaml"),
+             camera + ", projection_matrix: {data: [50, 0, 15.5, 0, 0, 51, 11.5, 0, 0, 0, 1, 0]}}");
+  const Result<Frame> unclear = load();
+  ASSERT_TRUE(unclear.ok()) << unclear.status.message;
+  EXPECT_FALSE(unclear.value.rectified);
+  ASSERT_EQ(unclear.value.remarks.size(), 1u);
+  EXPECT_NE(unclear.value.remarks[0].find("lens distortion, up to"), std::string::npos);
 }
 
 TEST(InputName, FolderOrStem) {

@@ -26,6 +26,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
   const auto camera = objectness_segmentation::toPinholeCamera(message);
   requireReason(camera.status);
+  const auto image_camera = objectness_segmentation::toImageCamera(message);
+  requireReason(image_camera.status);
+  require(camera.ok() || !image_camera.ok(), "the camera of an image is a camera");
   if (!camera.ok()) return 0;
   require(objectness::validate(camera.value).ok(), "a camera that was taken is valid");
   const Eigen::Vector3d ray = camera.value.ray(camera.value.width - 1, camera.value.height - 1);

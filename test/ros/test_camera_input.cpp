@@ -59,6 +59,23 @@ TEST(CameraInput, AppliesRegionOfInterestAndBinningAsImageGeometry) {
   EXPECT_EQ(camera.value.height, model.reducedResolution().height);
 }
 
+TEST(CameraInput, SaysWhatIsKnownOfTheLens) {
+  sensor_msgs::CameraInfo message = toCameraInfo(kCamera, makeHeader());
+  message.distortion_model = "plumb_bob";
+  message.D = {-0.2, 0.05, 0, 0, 0};
+  const auto unclear = toImageCamera(message);
+  ASSERT_TRUE(unclear.ok()) << unclear.status.message;
+  EXPECT_FALSE(unclear.value.lens);
+  EXPECT_EQ(unclear.value.remarks.size(), 1u);
+  message.P.fill(0);
+  const auto raw = toImageCamera(message);
+  ASSERT_TRUE(raw.ok()) << raw.status.message;
+  EXPECT_TRUE(raw.value.lens.has_value());
+  message.distortion_model = "mirror";
+  EXPECT_EQ(toImageCamera(message).status.message.find("camera_info: the distortion model 'mirror'"), 0u);
+  EXPECT_TRUE(toPinholeCamera(message).ok()) << "a cloud's points are what they are";
+}
+
 void expectBad(const sensor_msgs::CameraInfo& message) {
   const auto camera = toPinholeCamera(message);
   EXPECT_EQ(camera.status.code, StatusCode::kBadCamera);

@@ -140,6 +140,23 @@ TEST(CloudInput, RefusesAbsurdSizes) {
   expectBad(message, "empty");
 }
 
+TEST(CloudInput, RowsThatFollowOneAnotherNeedNoRowStep) {
+  const objectness::Frame frame = makeSmallFrame();
+  sensor_msgs::PointCloud2 message = makeCloudMessage(frame);
+  message.row_step = 0;
+  const auto cloud = toRawCloud(message);
+  ASSERT_TRUE(cloud.ok()) << cloud.status.message;
+  expectSame(cloud.value, frame, true);
+  message.data.pop_back();
+  expectBad(message, "carries");
+  message.width = message.height = message.point_step = 0xFFFFFFFF;
+  expectBad(message, "carries");
+}
+
+TEST(CloudInput, KeepsTheNameOfItsFrame) {
+  EXPECT_EQ(toRawCloud(makeCloudMessage(makeSmallFrame())).value.frame_id, "camera_optical_frame");
+}
+
 TEST(CloudInput, RowStepOfASingleRowIsNotNeeded) {
   sensor_msgs::PointCloud2 message = makeCloudMessage(makeSmallFrame(5, 1));
   message.row_step = 0;

@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
-#include <sensor_msgs/image_encodings.h>
 
-#include <boost/make_shared.hpp>
+#include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
-#include "fixtures/ray_cast.hpp"
-#include "fixtures/ros_messages.hpp"
+#include "fixtures/depth_message.hpp"
 #include "objectness_segmentation/ros/input_conversions.hpp"
-#include "objectness_segmentation/ros/output_conversions.hpp"
-#include "objectness_segmentation/ros/scene_messages.hpp"
-#include "objectness_segmentation/ros/segment_messages.hpp"
 
 namespace {
 
@@ -22,23 +16,6 @@ using objectness::StatusCode;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInf = std::numeric_limits<float>::infinity();
-
-template <class Value>
-sensor_msgs::Image makeDepth(const std::vector<Value>& values, std::uint32_t width, const char* encoding,
-                             std::uint32_t row_padding = 0) {
-  sensor_msgs::Image image;
-  image.header = makeHeader();
-  image.encoding = encoding;
-  image.width = width;
-  image.height = static_cast<std::uint32_t>(values.size() / width);
-  image.step = static_cast<std::uint32_t>(width * sizeof(Value)) + row_padding;
-  image.data.assign(std::size_t{image.step} * image.height, 0xAB);
-  for (std::uint32_t v = 0; v < image.height; ++v) {
-    std::memcpy(image.data.data() + std::size_t{v} * image.step, values.data() + std::size_t{v} * width,
-                width * sizeof(Value));
-  }
-  return image;
-}
 
 const std::vector<std::uint16_t> kMillimetres = {0, 500, 1000, 65535, 1234, 7};
 const std::vector<float> kMetres = {kNan, 0.5F, kInf, -kInf, 0.0F, 1.25F};
@@ -59,13 +36,39 @@ TEST(DepthInput, ReadsMillimetresAndMetres) {
   EXPECT_EQ(depth.value.at<float>(1, 2), 1.25F);
 }
 
-TEST(DepthInput, TurnsTheBytesOfABigEndianImageRound) {
-  sensor_msgs::Image image = makeDepth(kMillimetres, 3, "16UC1");
-  for (std::size_t i = 0; i < image.data.size(); i += 2) std::swap(image.data[i], image.data[i + 1]);
+/// As a machine of the other byte order sends it.
+template <class Value>
+sensor_msgs::Image bigEndian(sensor_msgs::Image image) {
+  for (std::uint32_t v = 0; v < image.height; ++v) {
+    std::uint8_t* row = image.data.data() + std::size_t{v} * image.step;
+    for (std::uint32_t u = 0; u < image.width; ++u) {
+      std::reverse(row + u * sizeof(Value), row + (u + 1) * sizeof(Value));
+    }
+  }
   image.is_bigendian = true;
+  return image;
+}
+
+TEST(DepthInput, TurnsTheBytesOfABigEndianImageRound) {
+  for (const std::uint32_t padding : {0u, 3u, 6u}) {
+    for (const char* encoding : {"16UC1", "mono16"}) {
+      const auto depth = toDepthImage(bigEndian<std::uint16_t>(makeDepth(kMillimetres, 3, encoding, padding)));
+      ASSERT_TRUE(depth.ok()) << depth.status.message;
+      for (int i = 0; i < 6; ++i) EXPECT_EQ(depth.value.at<ushort>(i / 3, i % 3), kMillimetres[i]) << padding;
+    }
+    const auto depth = toDepthImage(bigEndian<float>(makeDepth(kMetres, 3, "32FC1", padding)));
+    ASSERT_TRUE(depth.ok()) << depth.status.message;
+    EXPECT_EQ(depth.value.at<float>(0, 1), 0.5F);
+    EXPECT_EQ(depth.value.at<float>(1, 2), 1.25F);
+  }
+}
+
+TEST(DepthInput, RowsThatFollowOneAnotherNeedNoStep) {
+  sensor_msgs::Image image = makeDepth(kMillimetres, 3, "16UC1");
+  image.step = 0;
   const auto depth = toDepthImage(image);
   ASSERT_TRUE(depth.ok()) << depth.status.message;
-  EXPECT_EQ(depth.value.at<ushort>(0, 1), 500);
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(depth.value.at<ushort>(i / 3, i % 3), kMillimetres[i]) << i;
 }
 
 void expectBad(const sensor_msgs::Image& image, const std::string& word) {
@@ -94,157 +97,25 @@ TEST(DepthInput, RefusesWhatIsNoDepthImage) {
   image.width = 0;
   expectBad(image, "empty");
   expectBad(sensor_msgs::Image(), "encoded");
+  image = good;
+  image.step = 0;
+  image.data.pop_back();
+  expectBad(image, "carries");
+  image.width = image.height = 0xFFFFFFFF;
+  expectBad(image, "carries");
 }
 
-/// A wall at one metre, as the small frame's camera sees it.
-InputMessages wall(int width = 40, int height = 30) {
-  InputMessages messages;
-  objectness::PinholeCamera camera{50, 50, 0.5 * (width - 1), 0.5 * (height - 1), width, height};
-  messages.depth = boost::make_shared<sensor_msgs::Image>(
-      makeDepth(std::vector<std::uint16_t>(std::size_t(width) * height, 1000), width, "16UC1"));
-  messages.camera_info = boost::make_shared<sensor_msgs::CameraInfo>(toCameraInfo(camera, makeHeader()));
-  return messages;
-}
-
-sensor_msgs::ImageConstPtr makeColor(int width, int height, const char* encoding, int channels) {
-  auto image = boost::make_shared<sensor_msgs::Image>();
-  image->width = static_cast<std::uint32_t>(width);
-  image->height = static_cast<std::uint32_t>(height);
-  image->encoding = encoding;
-  image->step = static_cast<std::uint32_t>(width * channels);
-  image->data.assign(std::size_t(image->step) * height, 0);
-  for (std::size_t i = 0; i < image->data.size(); i += channels) image->data[i] = 200;
-  return image;
-}
-
-TEST(DepthFrame, IsTheSameAsTheCloud) {
-  const InputMessages messages = wall();
-  EXPECT_EQ(messages.header(), makeHeader());
-  const SegmentedFrame result = segmentMessages(messages, {}, {}, nullptr);
-  ASSERT_EQ(result.frame.width(), 40);
-  for (int i = 0; i < result.frame.size(); ++i) {
-    const Eigen::Vector3d expected = result.frame.camera.ray(i % 40, i / 40);
-    EXPECT_TRUE(result.frame.points[i].cast<double>().isApprox(expected, 1e-6)) << i;
-  }
-  EXPECT_TRUE(result.remarks.empty());
-}
-
-TEST(DepthFrame, TakesColourWhenItFits) {
-  InputMessages messages = wall();
-  messages.color = makeColor(40, 30, "rgb8", 3);
-  SegmentedFrame result = segmentMessages(messages, {}, {}, nullptr);
-  ASSERT_FALSE(result.frame.color.empty());
-  EXPECT_EQ(result.frame.color(0, 0), cv::Vec3b(0, 0, 200));
-  EXPECT_TRUE(result.remarks.empty());
-  messages.color = makeColor(40, 30, "mono8", 1);
-  result = segmentMessages(messages, {}, {}, nullptr);
-  ASSERT_FALSE(result.frame.color.empty());
-  EXPECT_EQ(result.frame.color(0, 0), cv::Vec3b(200, 200, 200));
-}
-
-TEST(DepthFrame, ColourThatDoesNotFitIsARemark) {
-  const std::pair<sensor_msgs::ImageConstPtr, const char*> cases[] = {
-      {makeColor(80, 60, "rgb8", 3), "80 x 60"},
-      {makeColor(40, 30, "rgb99", 3), "rgb99"},
-      {makeColor(40, 30, "rgb8", 2), "rgb"},
-      {boost::make_shared<sensor_msgs::Image>(), "empty"}};
-  const SegmentedFrame plain = segmentMessages(wall(), {}, {}, nullptr);
-  for (const auto& [color, word] : cases) {
-    InputMessages messages = wall();
-    messages.color = color;
-    const SegmentedFrame result = segmentMessages(messages, {}, {}, nullptr);
-    EXPECT_EQ(result.segmentation.status.code, plain.segmentation.status.code);
-    EXPECT_EQ(result.frame.size(), plain.frame.size());
-    EXPECT_TRUE(result.frame.color.empty());
-    ASSERT_EQ(result.remarks.size(), 1u) << word;
-    EXPECT_NE(result.remarks[0].find(word), std::string::npos) << result.remarks[0];
-  }
-}
-
-TEST(DepthFrame, RegionOfInterestAndBinningAreThoseOfTheImage) {
-  InputMessages messages = wall(20, 10);
-  auto camera =
-      boost::make_shared<sensor_msgs::CameraInfo>(toCameraInfo({100, 100, 79.5, 59.5, 160, 120}, makeHeader()));
-  camera->roi.x_offset = 60;
-  camera->roi.y_offset = 50;
-  camera->roi.width = 40;
-  camera->roi.height = 20;
-  camera->binning_x = camera->binning_y = 2;
-  messages.camera_info = camera;
-  const SegmentedFrame result = segmentMessages(messages, {}, {}, nullptr);
-  ASSERT_EQ(result.frame.width(), 20) << result.segmentation.status.message;
-  EXPECT_NEAR(result.frame.points[0].x(), (0 - 9.75) / 50, 1e-6);
-  EXPECT_NEAR(result.frame.points[0].y(), (0 - 4.75) / 50, 1e-6);
-}
-
-TEST(LargeInputs, AreThinnedAndSpokenOfInTheirOwnPixels) {
-  objectness_test::Scene scene;
-  const objectness::PinholeCamera camera{1312.5, 1312.5, 799.5, 599.5, 1600, 1200};  // five times 320 x 240
-  scene.camera = camera;
-  scene.T_world_camera = lookAt({0, -0.65, 0.65}, {0, 0, 0.03});
-  scene.surfaces = {slab(-0.5, -0.35, 0.5, 0.35, 0), box({-0.1, -0.05, 0}, {0.1, 0.05, 0.12})};
-  const objectness::Frame full = scene.render();
-  ASSERT_LT(full.size(), kMaxPixels);
-  ASSERT_GT(4 * full.size(), kMaxPixels);
-  // Twice as wide and high: every point twice, so that half of them are the frame.
-  objectness::Frame doubled;
-  doubled.camera = {2 * camera.fx, 2 * camera.fy, 2 * camera.cx, 2 * camera.cy, 3200, 2400};
-  doubled.points.resize(doubled.size());
-  for (int i = 0; i < doubled.size(); ++i) doubled.points[i] = full.points[i / 3200 / 2 * 1600 + i % 3200 / 2];
-
-  InputMessages messages;
-  messages.cloud = boost::make_shared<sensor_msgs::PointCloud2>(toCloudMessage(doubled, makeHeader()));
-  messages.camera_info = boost::make_shared<sensor_msgs::CameraInfo>(toCameraInfo(doubled.camera, makeHeader()));
-  const SegmentedFrame result = segmentMessages(messages, {}, {}, nullptr);
-  ASSERT_TRUE(result.segmentation.status.ok()) << result.segmentation.status.message;
-  ASSERT_EQ(result.frame.width(), 1600);
-  ASSERT_EQ(result.remarks.size(), 1u);
-  EXPECT_NE(result.remarks[0].find("one in 2 "), std::string::npos) << result.remarks[0];
-  ASSERT_EQ(result.segmentation.segments.size(), 1u);
-
-  const SegmentedObjectArray objects = toObjectsMessage(result, makeHeader());
-  const sensor_msgs::Image labels = toLabelImage(result, makeHeader());
-  ASSERT_EQ(labels.width, 3200u);
-  ASSERT_EQ(labels.height, 2400u);
-  int own = 0;
-  for (const int pixel : objects.objects[0].indices.indices) {
-    own += scene.seen[pixel / 3200 / 2 * 1600 + pixel % 3200 / 2] == 1;
-    EXPECT_EQ(labels.data[2 * pixel], 2);
-  }
-  EXPECT_GT(own, 0.95 * objects.objects[0].indices.indices.size());
-
-  cv::Mat depth(2400, 3200, CV_32FC1);
-  for (int i = 0; i < doubled.size(); ++i) depth.at<float>(i / 3200, i % 3200) = doubled.points[i].z();
-  auto image = boost::make_shared<sensor_msgs::Image>();
-  image->encoding = "32FC1";
-  image->width = 3200;
-  image->height = 2400;
-  image->step = 4 * image->width;
-  image->data.assign(depth.data, depth.data + std::size_t{image->step} * image->height);
-  messages.depth = image;
-  messages.cloud.reset();
-  const SegmentedFrame of_depth = segmentMessages(messages, {}, {}, nullptr);
-  ASSERT_EQ(of_depth.frame.width(), 1600) << of_depth.segmentation.status.message;
-  EXPECT_EQ(of_depth.segmentation.segments.size(), 1u);
-}
-
-TEST(DepthFrame, NeedsACameraOfItsSize) {
-  InputMessages messages = wall();
-  messages.camera_info.reset();
-  EXPECT_EQ(segmentMessages(messages, {}, {}, nullptr).segmentation.status.code, StatusCode::kBadCamera);
-  messages.camera_info = wall(50, 30).camera_info;
-  EXPECT_EQ(segmentMessages(messages, {}, {}, nullptr).segmentation.status.code, StatusCode::kSizeMismatch);
-}
-
-TEST(CloudFrame, WithoutCameraHasItsIntrinsicsRecovered) {
-  const objectness::Frame frame = makeSmallFrame(40, 30);
-  InputMessages messages;
-  messages.cloud = boost::make_shared<sensor_msgs::PointCloud2>(toCloudMessage(frame, makeHeader()));
-  const SegmentedFrame result = segmentMessages(messages, {}, {}, nullptr);
-  EXPECT_NEAR(result.frame.camera.fx, frame.camera.fx, 0.1);
-  EXPECT_NEAR(result.frame.camera.cy, frame.camera.cy, 0.1);
-  ASSERT_EQ(result.remarks.size(), 1u);
-  EXPECT_NE(result.remarks[0].find("publish camera_info"), std::string::npos);
+TEST(ColorInput, EveryByteOrderAndNoStep) {
+  sensor_msgs::Image image;
+  image.encoding = "mono16";
+  image.width = 2;
+  image.height = 1;
+  image.is_bigendian = true;
+  image.data = {0xFF, 0x00, 0x00, 0x00};
+  const auto color = toColorImage(image);
+  ASSERT_TRUE(color.ok()) << color.status.message;
+  EXPECT_NEAR(color.value.at<cv::Vec3b>(0, 0)[1], 254, 1);
+  EXPECT_EQ(color.value.at<cv::Vec3b>(0, 1), cv::Vec3b(0, 0, 0));
 }
 
 }  // namespace

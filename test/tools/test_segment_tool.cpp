@@ -89,6 +89,45 @@ TEST_F(SegmentTool, NothingOnTheTableIsAResult) {
   EXPECT_EQ(outcome.out.compare(0, 15, "bare: 0 objects"), 0) << outcome.out;
 }
 
+TEST_F(SegmentTool, DepthOfAnotherUnitIsRightWithItsScaleAndARemarkWithout) {
+  const std::string scene = makeScene("fifths"), depth = scene + "/depth.png";
+  const std::string out = "--out " + (folder_ / "out") + " ";
+  ASSERT_EQ(run(out + scene).exit_status, 0);
+  const auto result = [&] { return nlohmann::json::parse(readBytes(folder_ / "out/fifths/objects.json")); };
+  const auto labels = [&] { return readBytes(folder_ / "out/fifths/labels.png"); };
+  const std::string true_labels = labels();
+  EXPECT_TRUE(result()["remarks"].empty());
+  const auto objects = result()["objects"].size();
+
+  cv::imwrite(depth, cv::imread(depth, cv::IMREAD_UNCHANGED) * 5);
+  for (const char* scale : {"5000", "0.0002"}) {
+    const Outcome outcome = run(out + "--depth-scale " + scale + " " + scene);
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(result()["objects"].size(), objects);
+    // Every depth is the same but for the rounding of its float.
+    const cv::Mat a = cv::imdecode(std::vector<char>(true_labels.begin(), true_labels.end()), cv::IMREAD_UNCHANGED);
+    const std::string found = labels();
+    const cv::Mat b = cv::imdecode(std::vector<char>(found.begin(), found.end()), cv::IMREAD_UNCHANGED);
+    EXPECT_LT(cv::countNonZero(a != b), 0.01 * cv::countNonZero(a)) << scale;
+  }
+  const Outcome without = run(out + scene);
+  EXPECT_NE(without.err.find("--depth-scale"), std::string::npos) << without.err;
+  writeBytes(scene + "/camera.yaml", readBytes(scene + "/camera.yaml") + "depth_scale: 5000\n");
+  const Outcome by_file = run(out + scene);
+  EXPECT_EQ(by_file.err, "");
+  EXPECT_EQ(result()["objects"].size(), objects);
+}
+
+TEST_F(SegmentTool, ColourOfAnotherSizeIsARemark) {
+  const std::string scene = makeScene("odd");
+  cv::imwrite(scene + "/color.png", cv::Mat(20, 30, CV_8UC3));
+  const Outcome outcome = run(common() + scene);
+  EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
+  EXPECT_EQ(outcome.errorLines(), 1) << outcome.err;
+  EXPECT_NE(outcome.err.find(scene + ": color.png is 30 x 20, depth.png 640 x 480"), std::string::npos) << outcome.err;
+}
+
 TEST_F(SegmentTool, TheMethodIsChosenByNameOrPreset) {
   const std::string scene = makeScene("kitchen"), out = "--out " + (folder_ / "out") + " ";
   const std::string quick = " --set search.angle_step_deg=45 ", preset = REPOSITORY_DIR "/cfg/paper.yaml";
@@ -147,6 +186,7 @@ TEST_F(SegmentTool, WrongCommandLines) {
   expectUsageError("--out o --set serach.angle_step_deg=3 scene", "did you mean search.angle_step_deg?");
   expectUsageError("--out o --set search.angle_step_deg=0 scene", "must be within 1 and 90");
   expectUsageError("--out o --config none.yaml scene", "--config none.yaml: there is no such file");
+  expectUsageError("--out o --depth-scale mm scene", "--depth-scale is 'mm', must be the units of a metre");
   expectUsageError("--out o --camera none.yaml scene", "--camera none.yaml: there is no such file");
   expectUsageError("--out o --out p scene", "out");
 }
@@ -173,6 +213,11 @@ TEST_F(SegmentTool, PrintsHelpParametersAndConfiguration) {
   for (const char* text : {"follow_superpixels: false", "seed: 5", "threads: 3"}) {
     EXPECT_NE(config.out.find(text), std::string::npos) << text << "\n" << config.out;
   }
+}
+
+TEST_F(SegmentTool, TheDepthScaleIsAParameter) {
+  const Outcome config = run("--print-config --depth-scale 5000");
+  EXPECT_NE(config.out.find("depth_unit_m: 0.0002"), std::string::npos) << config.out;
 }
 
 TEST_F(SegmentTool, LinksNoRos) {

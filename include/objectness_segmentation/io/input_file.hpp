@@ -12,6 +12,6 @@ std::string inputName(const std::string& path);
 
 /// Reads a scene folder (loadSceneFolder()) or a .pcd file (loadPcd()). `camera` is the one that took a PCD file, or a
 /// folder that has no camera.yaml of its own. Messages do not repeat `path`.
-Result<Frame> loadInput(const std::string& path, const std::optional<PinholeCamera>& camera, const InputConfig& config);
+Result<Frame> loadInput(const std::string& path, const std::optional<ImageCamera>& camera, const InputConfig& config);
 
 }  // namespace objectness

@@ -7,9 +7,10 @@
 
 namespace objectness {
 
-/// Reads a scene folder: depth.png (16-bit millimetres, 0 = none), color.png (optional, same size) and camera.yaml (see
-/// loadCamera()). `fallback` is used when there is no camera.yaml. Messages name the file of the folder they are about.
-Result<Frame> loadSceneFolder(const std::string& folder, const std::optional<PinholeCamera>& fallback,
+/// Reads a scene folder: depth.png (16 bits, 0 = none; InputConfig::depth_unit_m), color.png (optional; one that cannot
+/// be used or is of another size is a remark) and camera.yaml (see loadImageCamera()). `fallback` is used when there is
+/// no camera.yaml. Messages name the file of the folder they are about.
+Result<Frame> loadSceneFolder(const std::string& folder, const std::optional<ImageCamera>& fallback,
                               const InputConfig& config);
 
 /// The files of a scene folder; what is empty is left out.

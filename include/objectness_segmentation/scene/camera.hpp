@@ -21,6 +21,9 @@ struct PinholeCamera {
   double focal() const { return 0.5 * (fx + fy); }
 };
 
+/// The camera that sees every so many-th row and column of another one's image, from the first.
+PinholeCamera thinned(PinholeCamera camera, int step);
+
 /// Finite, positive focal lengths and sizes, principal point within ten image sizes; otherwise kBadCamera with the
 /// reason.
 Status validate(const PinholeCamera& camera);

@@ -11,7 +11,7 @@
 #include "objectness_segmentation/common/parallel.hpp"
 #include "plane_grid.hpp"
 #include "plane_hypotheses.hpp"
-#include "table_evidence.hpp"
+#include "table_choice.hpp"
 
 namespace objectness {
 namespace {
@@ -48,37 +48,9 @@ Result<TablePlane> choosePlane(const SurfaceSamples& samples, double focal, cons
     return Result<TablePlane>::error(StatusCode::kBadConfig,
                                      "table.up_known is set but (up_x, up_y, up_z) has no length");
   }
-  const double min_cosine = std::cos(config.max_tilt_deg * M_PI / 180);
-  const auto isTilted = [&](const Plane& plane) {
-    return config.up_known && plane.normal.dot(up.normalized()) < min_cosine;
-  };
-  const int count = static_cast<int>(planes.size());
-  std::vector<SeenPlane> seen(planes.size());
-  parallelFor(count, threads, [&](int i) {
-    if (!isTilted(planes[i])) seen[i] = seePlane(samples, planes[i]);
-  });
-  // The most promising plane first: most of the others can then be told from it by what is quick to tell.
-  std::vector<double> scores(planes.size(), 0);
-  const auto mayBeTable = [&](int i) { return seen[i].evidence.area_m2 >= config.min_area_m2 && !isTilted(planes[i]); };
-  int first = -1;
-  for (int i = 0; i < count; ++i) {
-    if (!mayBeTable(i)) continue;
-    scores[i] = seen[i].evidence.score(planes[i]);
-    if (first < 0 || scores[i] > scores[first]) first = i;
-  }
-  const auto judge = [&](int i) { scores[i] = judgeTable(samples, planes[i], seen[i], focal).score(planes[i]); };
-  if (first >= 0) judge(first);
-  parallelFor(count, threads, [&](int i) {
-    if (i != first && mayBeTable(i) && scores[i] >= scores[first]) judge(i);
-  });
-  int best = -1;
-  double best_score = 0, largest = 0;
-  for (int i = 0; i < count; ++i) {
-    largest = std::max(largest, seen[i].evidence.area_m2);
-    if (mayBeTable(i) && scores[i] > best_score) best_score = scores[i], best = i;
-  }
-  const auto tilted = std::count_if(planes.begin(), planes.end(), isTilted);
-  if (best >= 0) return {{}, {planes[best], std::move(seen[best])}};
+  TableChoice choice(samples, focal, planes, config);
+  const int best = choice.best(threads);
+  if (best >= 0) return {{}, {planes[best], choice.seen(best)}};
 
   const auto valid =
       std::count_if(samples.samples.begin(), samples.samples.end(), [](const auto& s) { return s.valid(); });
@@ -86,9 +58,10 @@ Result<TablePlane> choosePlane(const SurfaceSamples& samples, double focal, cons
   why << "no table in view: "
       << static_cast<int>(100.0 * valid / std::max<std::size_t>(1, samples.samples.size()) + 0.5)
       << " % of the pixels have depth, " << planes.size() << " planes were found";
+  const int tilted = choice.tilted();
   if (tilted > 0) why << ", " << tilted << " of them tilted more than table.max_tilt_deg";
-  if (tilted < static_cast<std::ptrdiff_t>(planes.size())) {
-    why << ", the largest of " << std::round(largest * 1e4) << " cm2 (table.min_area_m2 asks for "
+  if (tilted < static_cast<int>(planes.size())) {
+    why << ", the largest of " << std::round(choice.largest_m2() * 1e4) << " cm2 (table.min_area_m2 asks for "
         << std::round(config.min_area_m2 * 1e4) << " cm2)";
   }
   return Result<TablePlane>::error(StatusCode::kNoTable, why.str());

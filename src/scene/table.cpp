@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
+#include <opencv2/core.hpp>
 #include <sstream>
 
 #include "depth_noise.hpp"
@@ -12,6 +12,7 @@
 #include "plane_grid.hpp"
 #include "plane_hypotheses.hpp"
 #include "table_choice.hpp"
+#include "table_outline.hpp"
 
 namespace objectness {
 namespace {
@@ -19,7 +20,6 @@ namespace {
 constexpr int kSampleCount = 40000;         // to find planes in
 constexpr int kExtentSampleCount = 120000;  // to draw the extent from
 constexpr double kExtentCellM = 0.01;
-constexpr double kOutlineToleranceCells = 1.0;
 
 /// A plane, and with one that was chosen what was seen of it.
 struct TablePlane {
@@ -77,23 +77,6 @@ std::vector<Plane> otherPlanes(const std::vector<Plane>& planes, const Plane& ta
   return others;
 }
 
-std::vector<Eigen::Vector2d> outline(const TableExtent& extent) {
-  std::vector<std::vector<cv::Point>> contours;
-  cv::findContours(extent.cells.clone(), contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
-  const auto longest = std::max_element(contours.begin(), contours.end(),
-                                        [](const auto& a, const auto& b) { return a.size() < b.size(); });
-  if (longest == contours.end()) return {};
-  std::vector<cv::Point> polygon;
-  cv::approxPolyDP(*longest, polygon, kOutlineToleranceCells, true);
-  // x to the right and y downwards in the raster are x and y of the table: OpenCV's clockwise is our counter-clockwise.
-  if (cv::contourArea(polygon, true) < 0) std::reverse(polygon.begin(), polygon.end());
-  std::vector<Eigen::Vector2d> hull;
-  for (const cv::Point& p : polygon) {
-    hull.push_back(extent.origin + extent.cell_m * Eigen::Vector2d(p.x + 0.5, p.y + 0.5));
-  }
-  return hull;
-}
-
 }  // namespace
 
 Result<Table> findTable(const Frame& frame, const Normals& normals, const TableConfig& config, int threads) {
@@ -127,8 +110,8 @@ Result<Table> findTable(const Frame& frame, const Normals& normals, const TableC
   table.d = plane.d;
   table.T_table_camera = grid.T_table_camera;
   table.extent = {extent, grid.origin, grid.cell_m};
-  table.hull = outline(table.extent);
   table.noise = measureNoise(dense, plane, grid, extent, threads);
+  traceOutline(frame, table);
   table.other_planes = otherPlanes(planes, plane);
   return {{}, table};
 }

@@ -26,13 +26,15 @@ Json orientation(const Eigen::Matrix3d& rotation) {
 
 Json toJson(const Table& table) {
   const Eigen::Isometry3d T_camera_table = table.T_table_camera.inverse();
-  Json hull = Json::array();
+  Json hull = Json::array(), measured = Json::array();
   for (const Eigen::Vector2d& corner : table.hull) hull.push_back({corner.x(), corner.y()});
+  for (const char side : table.hull_measured) measured.push_back(side != 0);
   return {{"normal", toJson(table.normal)},
           {"d", table.d},
           {"frame",
            {{"position", toJson(T_camera_table.translation())}, {"orientation", orientation(T_camera_table.linear())}}},
-          {"hull", hull}};
+          {"hull", hull},
+          {"hull_measured", measured}};
 }
 
 Json toJson(const Segment& segment, std::size_t label) {

@@ -29,6 +29,7 @@ SegmentedTable toTableMessage(const SegmentedFrame& result, const std_msgs::Head
     message.polygon.points.back().y = p.y();
     message.polygon.points.back().z = p.z();
   }
+  for (const char side : table.hull_measured) message.measured.push_back(side != 0);
   return message;
 }
 

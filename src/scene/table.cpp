@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
+#include <opencv2/core.hpp>
 #include <sstream>
 
 #include "depth_noise.hpp"
@@ -11,7 +11,8 @@
 #include "objectness_segmentation/common/parallel.hpp"
 #include "plane_grid.hpp"
 #include "plane_hypotheses.hpp"
-#include "table_evidence.hpp"
+#include "table_choice.hpp"
+#include "table_outline.hpp"
 
 namespace objectness {
 namespace {
@@ -19,7 +20,6 @@ namespace {
 constexpr int kSampleCount = 40000;         // to find planes in
 constexpr int kExtentSampleCount = 120000;  // to draw the extent from
 constexpr double kExtentCellM = 0.01;
-constexpr double kOutlineToleranceCells = 1.0;
 
 /// A plane, and with one that was chosen what was seen of it.
 struct TablePlane {
@@ -48,37 +48,9 @@ Result<TablePlane> choosePlane(const SurfaceSamples& samples, double focal, cons
     return Result<TablePlane>::error(StatusCode::kBadConfig,
                                      "table.up_known is set but (up_x, up_y, up_z) has no length");
   }
-  const double min_cosine = std::cos(config.max_tilt_deg * M_PI / 180);
-  const auto isTilted = [&](const Plane& plane) {
-    return config.up_known && plane.normal.dot(up.normalized()) < min_cosine;
-  };
-  const int count = static_cast<int>(planes.size());
-  std::vector<SeenPlane> seen(planes.size());
-  parallelFor(count, threads, [&](int i) {
-    if (!isTilted(planes[i])) seen[i] = seePlane(samples, planes[i]);
-  });
-  // The most promising plane first: most of the others can then be told from it by what is quick to tell.
-  std::vector<double> scores(planes.size(), 0);
-  const auto mayBeTable = [&](int i) { return seen[i].evidence.area_m2 >= config.min_area_m2 && !isTilted(planes[i]); };
-  int first = -1;
-  for (int i = 0; i < count; ++i) {
-    if (!mayBeTable(i)) continue;
-    scores[i] = seen[i].evidence.score(planes[i]);
-    if (first < 0 || scores[i] > scores[first]) first = i;
-  }
-  const auto judge = [&](int i) { scores[i] = judgeTable(samples, planes[i], seen[i], focal).score(planes[i]); };
-  if (first >= 0) judge(first);
-  parallelFor(count, threads, [&](int i) {
-    if (i != first && mayBeTable(i) && scores[i] >= scores[first]) judge(i);
-  });
-  int best = -1;
-  double best_score = 0, largest = 0;
-  for (int i = 0; i < count; ++i) {
-    largest = std::max(largest, seen[i].evidence.area_m2);
-    if (mayBeTable(i) && scores[i] > best_score) best_score = scores[i], best = i;
-  }
-  const auto tilted = std::count_if(planes.begin(), planes.end(), isTilted);
-  if (best >= 0) return {{}, {planes[best], std::move(seen[best])}};
+  TableChoice choice(samples, focal, planes, config);
+  const int best = choice.best(threads);
+  if (best >= 0) return {{}, {planes[best], choice.seen(best)}};
 
   const auto valid =
       std::count_if(samples.samples.begin(), samples.samples.end(), [](const auto& s) { return s.valid(); });
@@ -86,9 +58,10 @@ Result<TablePlane> choosePlane(const SurfaceSamples& samples, double focal, cons
   why << "no table in view: "
       << static_cast<int>(100.0 * valid / std::max<std::size_t>(1, samples.samples.size()) + 0.5)
       << " % of the pixels have depth, " << planes.size() << " planes were found";
+  const int tilted = choice.tilted();
   if (tilted > 0) why << ", " << tilted << " of them tilted more than table.max_tilt_deg";
-  if (tilted < static_cast<std::ptrdiff_t>(planes.size())) {
-    why << ", the largest of " << std::round(largest * 1e4) << " cm2 (table.min_area_m2 asks for "
+  if (tilted < static_cast<int>(planes.size())) {
+    why << ", the largest of " << std::round(choice.largest_m2() * 1e4) << " cm2 (table.min_area_m2 asks for "
         << std::round(config.min_area_m2 * 1e4) << " cm2)";
   }
   return Result<TablePlane>::error(StatusCode::kNoTable, why.str());
@@ -102,23 +75,6 @@ std::vector<Plane> otherPlanes(const std::vector<Plane>& planes, const Plane& ta
     if (!same) others.push_back(plane);
   }
   return others;
-}
-
-std::vector<Eigen::Vector2d> outline(const TableExtent& extent) {
-  std::vector<std::vector<cv::Point>> contours;
-  cv::findContours(extent.cells.clone(), contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
-  const auto longest = std::max_element(contours.begin(), contours.end(),
-                                        [](const auto& a, const auto& b) { return a.size() < b.size(); });
-  if (longest == contours.end()) return {};
-  std::vector<cv::Point> polygon;
-  cv::approxPolyDP(*longest, polygon, kOutlineToleranceCells, true);
-  // x to the right and y downwards in the raster are x and y of the table: OpenCV's clockwise is our counter-clockwise.
-  if (cv::contourArea(polygon, true) < 0) std::reverse(polygon.begin(), polygon.end());
-  std::vector<Eigen::Vector2d> hull;
-  for (const cv::Point& p : polygon) {
-    hull.push_back(extent.origin + extent.cell_m * Eigen::Vector2d(p.x + 0.5, p.y + 0.5));
-  }
-  return hull;
 }
 
 }  // namespace
@@ -154,8 +110,8 @@ Result<Table> findTable(const Frame& frame, const Normals& normals, const TableC
   table.d = plane.d;
   table.T_table_camera = grid.T_table_camera;
   table.extent = {extent, grid.origin, grid.cell_m};
-  table.hull = outline(table.extent);
   table.noise = measureNoise(dense, plane, grid, extent, threads);
+  traceOutline(frame, table);
   table.other_planes = otherPlanes(planes, plane);
   return {{}, table};
 }

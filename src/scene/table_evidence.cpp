@@ -28,6 +28,9 @@ constexpr double kMinDistanceWeight = 0.05;
 constexpr double kFullAreaM2 = 0.08;
 constexpr double kEnoughInliers = 1500;
 constexpr double kBelowWeight = 3.0;
+constexpr double kHiddenReachM = 0.14;  // of what counts as hidden, from what is seen
+constexpr double kMinUnderM = 0.1;
+constexpr double kUnderCosine = 0.9744;  // 13 deg: small planes far apart
 
 /// A connected group of samples over the plane; most numbers are of those over the extent.
 struct Group {
@@ -49,9 +52,24 @@ SeenPlane seePlane(const SurfaceSamples& view, const Plane& plane) {
   TableEvidence& evidence = seen.evidence;
   evidence.area_m2 = cv::countNonZero(seen.core) * cell_area;
   evidence.seen_m2 = cv::countNonZero(seen.grid.on_plane & seen.core) * cell_area;
+  const int reach = static_cast<int>(kHiddenReachM / kCellM);
+  cv::Mat_<uchar> hidden;
+  cv::dilate(seen.core, hidden, cv::Mat::ones(2 * reach + 1, 2 * reach + 1, CV_8U));
+  hidden.setTo(0, seen.grid.on_plane | seen.grid.seen_through);
+  evidence.hidden_m2 = cv::countNonZero(hidden) * cell_area;
+  const cv::Moments moments = cv::moments(seen.core, true);
+  if (moments.m00 > 0) {
+    const Eigen::Vector2d cell(moments.m10 / moments.m00 + 0.5, moments.m01 / moments.m00 + 0.5);
+    const Eigen::Vector2d place = seen.grid.origin + kCellM * cell;
+    seen.middle = seen.grid.T_table_camera.inverse() * Eigen::Vector3d(place.x(), place.y(), 0);
+  }
   evidence.inliers = seen.grid.samples_on_plane * scaleOf(view);
   evidence.carried = static_cast<int>(kNormalView);
   return seen;
+}
+
+bool liesUnder(const Plane& plane, const Plane& other, const Eigen::Vector3d& place_on_other) {
+  return plane.normal.dot(other.normal) > kUnderCosine && plane.normal.dot(place_on_other) + plane.d > kMinUnderM;
 }
 
 TableEvidence judgeTable(const SurfaceSamples& view, const Plane& plane, const SeenPlane& seen, double focal) {
@@ -128,10 +146,11 @@ TableEvidence judgeTable(const SurfaceSamples& view, const Plane& plane, const S
   return evidence;
 }
 
-double TableEvidence::score(const Plane& plane) const {
+double TableEvidence::score(const Plane& plane, bool hidden_counts) const {
   const double orientation = 0.9 - 0.1 * plane.normal.y();  // upwards in the image is likely, nothing is excluded
   const double near = std::max(kMinDistanceWeight, std::min(1.0, (kFarM - distance_m) / (kFarM - kNearM)));
-  const double area = std::pow(std::min(1.0, seen_m2 / kFullAreaM2), 2);  // leaves out the tops and fronts of boxes
+  const double known_m2 = hidden_counts ? seen_m2 + hidden_m2 : seen_m2;
+  const double area = std::pow(std::min(1.0, known_m2 / kFullAreaM2), 2);  // leaves out the tops and fronts of boxes
   const double carries = 0.3 + std::log2(1 + carried / 20.0);
   return orientation * near * area * carries / (1 + kBelowWeight * below) *
          std::sqrt(std::min(1.0, inliers / kEnoughInliers));

@@ -29,6 +29,7 @@ struct Sample {
     result.table.d = 0.5;
     result.table.T_table_camera.translation() = Eigen::Vector3d(0, 0, 0.5);
     result.table.hull = {{0, 0}, {1, 0}, {0, 1}};
+    result.table.hull_measured = {1, 0, 1};
     Segment segment;
     segment.objectness = 1.25;
     segment.cues = {0.5, 0.25, 0.75, 0.125};
@@ -58,6 +59,8 @@ TEST(ResultWriter, JsonHoldsEverything) {
   EXPECT_EQ(json["table"]["d"], 0.5);
   EXPECT_EQ(json["table"]["frame"]["position"][2], -0.5);
   EXPECT_EQ(json["table"]["frame"]["orientation"], nlohmann::json({0.0, 0.0, 0.0, 1.0}));
+  EXPECT_EQ(json["table"]["hull"], nlohmann::json({{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}));
+  EXPECT_EQ(json["table"]["hull_measured"], nlohmann::json({true, false, true}));
   const auto& object = json["objects"][0];
   EXPECT_EQ(object["label"], 2);
   EXPECT_EQ(object["size"], nlohmann::json({0.1, 0.2, 0.3}));

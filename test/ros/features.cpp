@@ -50,6 +50,7 @@ TEST_F(Features, EveryOutputIsAboutTheSameFrame) {
   EXPECT_TRUE(plane->found);
   EXPECT_EQ(plane->plane.values, result->table.values);
   ASSERT_GE(plane->polygon.points.size(), 4u);
+  EXPECT_EQ(plane->measured.size(), plane->polygon.points.size());
   for (const auto& p : plane->polygon.points) {
     geometry_msgs::Point corner;
     corner.x = p.x, corner.y = p.y, corner.z = p.z;

@@ -38,6 +38,7 @@ TEST(TableMessage, LiesOnThePlane) {
     doubled_area += p.x * -q.y - q.x * -p.y;
   }
   EXPECT_NEAR(doubled_area, 2 * 1.0 * 0.8, 1e-6);
+  EXPECT_EQ(message.measured, (std::vector<std::uint8_t>{1, 0, 1, 1}));
   EXPECT_NEAR(message.pose.position.z, 1, 1e-9);
 }
 

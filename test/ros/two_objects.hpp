@@ -14,6 +14,7 @@ inline objectness::Segmentation makeSegmentation() {
   result.table.T_table_camera.linear() = Eigen::Vector3d(1, -1, -1).asDiagonal();
   result.table.T_table_camera.translation().z() = 1;
   result.table.hull = {{-0.5, -0.4}, {0.5, -0.4}, {0.5, 0.4}, {-0.5, 0.4}};
+  result.table.hull_measured = {1, 0, 1, 1};
   for (int i = 0; i < 2; ++i) {
     objectness::Segment segment;
     segment.box.T_camera_box.translation() = Eigen::Vector3d(0.1 + i, 0.2, 0.9);

@@ -39,10 +39,14 @@ struct Table : Plane {
   /// Maps camera coordinates to the table frame: z along the normal, x along the camera's x axis laid on the plane,
   /// origin at the foot of the camera.
   Eigen::Isometry3d T_table_camera = Eigen::Isometry3d::Identity();
-  std::vector<Eigen::Vector2d> hull;  ///< outline of the extent, table frame, metres, counter-clockwise
-  TableExtent extent;                 ///< the same as a raster, with its holes filled
-  DepthNoise noise;                   ///< measured on this frame's table
-  std::vector<Plane> other_planes;    ///< the frame's other large planes: walls, floor, sides of a bin or of boxes
+  /// Outline of what is seen of it, table frame, metres, counter-clockwise. Narrower than the extent.
+  std::vector<Eigen::Vector2d> hull;
+  /// By corner: the side to the next one is the table's edge as it was seen. Otherwise things hide the edge, it lies
+  /// beyond the picture or there is no depth, and the side is where the surface was last seen or probably goes on.
+  std::vector<char> hull_measured;
+  TableExtent extent;               ///< what decides whether a point is on the table
+  DepthNoise noise;                 ///< measured on this frame's table
+  std::vector<Plane> other_planes;  ///< the frame's other large planes: walls, floor, sides of a bin or of boxes
 };
 
 struct TableConfig {

@@ -10,8 +10,8 @@
 namespace objectness_segmentation {
 
 // Public names of a nodelet lie in the namespace of its own name, whichever its manager has. Its getNodeHandle() does
-// not hold to that: roscpp takes a handle of "/" for one without a namespace, and puts relative names into the namespace
-// of the process, which is the manager's.
+// not hold to that: roscpp takes a handle of "/" for one without a namespace, and puts relative names into the
+// namespace of the process, which is the manager's.
 
 /// A name, before remapping, as an absolute one.
 inline std::string publicName(const ros::NodeHandle& private_nh, const std::string& name) {
@@ -19,8 +19,8 @@ inline std::string publicName(const ros::NodeHandle& private_nh, const std::stri
 }
 
 /// A handle for absolute names, with the remappings that the nodelet was loaded with. Its manager has put relative ones
-/// that came by its service, and not by the `nodelet` tool, into the manager's namespace: they hold for the name all the
-/// same, where nothing else does.
+/// that came by its service, and not by the `nodelet` tool, into the manager's namespace: they hold for the name all
+/// the same, where nothing else does.
 inline ros::NodeHandle publicHandle(const ros::NodeHandle& private_nh, const ros::M_string& remappings) {
   const std::string& own = ros::this_node::getNamespace();
   const std::string of_process = own == "/" ? own : own + "/";

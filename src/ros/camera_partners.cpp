@@ -58,7 +58,8 @@ void CameraPartners::addCamera(const CameraInfoPtr& camera, Clock::time_point no
 
 void CameraPartners::lookAgain(Clock::time_point now) {
   const std::size_t overdue = overdueInputs(now);
-  const std::size_t due = partners_come_ ? overdue : inputs_.size();
+  const bool at_once = !partners_come_ || (!last_ && mayGoAlone(now));
+  const std::size_t due = at_once ? inputs_.size() : overdue;
   if (due > 0 && inputs_[due - 1].hand) handWithoutPartner(due - 1, now);
   // What nothing could be done for waits on, as long as there is room.
   for (std::size_t i = 0; i < overdue && (tooMany() > 0 || !inputs_.front().hand); ++i) {

@@ -24,8 +24,8 @@ class Cameras : public Features, public testing::WithParamInterface<Kind> {
     Features::SetUp();
     ros::param::set("/second/input", GetParam().depth ? "depth" : "points");
     ros::param::set("/second/approximate_sync", GetParam().approximate);
-    second_ = std::make_unique<SecondNodelet>(SecondNodelet::Names{
-        {"points", "/own/points"}, {"depth", "/own/depth"}, {"camera_info", "/own/camera_info"}});
+    second_ = std::make_unique<SecondNodelet>(
+        SecondNodelet::Names{{"points", "/own/points"}, {"depth", "/own/depth"}, {"camera_info", "/own/camera_info"}});
     ASSERT_TRUE(second_->loaded());
     inputs_ = GetParam().depth ? nh_.advertise<Image>("/own/depth", 5) : nh_.advertise<PointCloud2>("/own/points", 5);
     cameras_ = nh_.advertise<sensor_msgs::CameraInfo>("/own/camera_info", 5, true);

@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "features_fixture.hpp"
-#include "fixtures/small_scene.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "launch_process.hpp"
 #include "objectness_segmentation/ros/scene_bag_writer.hpp"
+#include "objectness_segmentation/sim/demo_scene.hpp"
 
 namespace {
 
@@ -101,10 +101,10 @@ TEST_F(Namespaces, OfRemappingsAreThoseOfTheNodelet) {
       load.request.name = name_space + "/finder";
       load.request.type = "objectness_segmentation/SegmentObjects";
       load.request.remap_source_args = {"points", name_space + "/camera_info"};
-      load.request.remap_target_args = {"eye/points", "eye/camera_info"};
+      const std::string points = name_space + "/eye/points", camera_info = name_space + "/eye/camera_info";
+      load.request.remap_target_args = {points, camera_info};
       ASSERT_TRUE(ros::service::waitForService(std::string(manager) + "/load_nodelet", kTimeout * 1000));
       ASSERT_TRUE(ros::service::call(std::string(manager) + "/load_nodelet", load) && load.response.success);
-      const std::string points = name_space + "/eye/points", camera_info = name_space + "/eye/camera_info";
       expectResults({"", "", load.request.name.c_str(), points.c_str(), camera_info.c_str()});
       nodelet::NodeletUnload unload;
       unload.request.name = load.request.name;
@@ -116,9 +116,9 @@ TEST_F(Namespaces, OfRemappingsAreThoseOfTheNodelet) {
 TEST_F(Namespaces, OfLaunchFilesThatPlayRecordingsDoNotMatter) {
   const TemporaryFolder folder;
   SceneBagSettings settings;
-  settings.sensor = smallSensor();
+  settings.sensor.camera = {262.5, 262.5, 159.5, 119.5, 320, 240};
   settings.frames = 20;
-  ASSERT_TRUE(writeSceneBag(folder / "in.bag", smallScene(), settings).ok());
+  ASSERT_TRUE(writeSceneBag(folder / "in.bag", objectness::sim::makeDemoScene(1), settings).ok());
   for (const char* file : {"bag.launch", "demo.launch"}) {
     for (const std::string name_space : {"", "/robot/arm"}) {
       SCOPED_TRACE(file + (" in " + name_space) + "/");

@@ -226,10 +226,10 @@ TEST_F(SegmentBag, AnswersDepthImages) {
       const ros::Time recorded = depth->header.stamp;
       bag.write("depth", recorded, *depth);
       bag.write("camera_info", recorded, *cameras[i]);
-      const bool late = i == 1;  // more than a tenth of a second from any depth image
+      const bool late = i == 1;  // too late for any depth image: the one before is the nearest
       if (late) color->header.stamp += ros::Duration(3);
       bag.write("rgb", recorded + ros::Duration(0.05), *color);
-      messages.push_back({nullptr, cameras[i], depth, late ? nullptr : color});
+      messages.push_back({nullptr, cameras[i], depth, late ? messages[0].color : color});
     }
   }
   const SegmentBagReport report = segment(out_);

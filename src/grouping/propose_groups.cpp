@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+
+#include "scene/unions.hpp"
 
 namespace objectness {
 namespace {
@@ -17,14 +20,16 @@ class Proposer {
  public:
   Proposer(int pieces, const std::vector<Link>& links)
       : count_(pieces), p_(pieces * pieces, 0.f), logit_(pieces * pieces, 0.f) {
+    for (int k = 0; k < pieces; ++k) parts_.create();
     for (const Link& link : links) {
+      if (link.probability >= kMinLink) parts_.join(link.first, link.second);
       const float p = std::clamp(link.probability, 0.02f, 0.98f), l = std::log(p / (1 - p));
       p_[at(link.first, link.second)] = p_[at(link.second, link.first)] = link.probability;
       logit_[at(link.first, link.second)] = logit_[at(link.second, link.first)] = l;
     }
   }
 
-  std::vector<Group> run(std::size_t most, const GroupKinds& kinds) {
+  std::vector<Group> run(const GroupLimits& limits, const GroupKinds& kinds) {
     for (int k = 0; k < count_; ++k) groups_.insert({k});
     if (kinds.dendrograms) {
       for (const int linkage : {0, 1, 2}) merge(linkage);
@@ -34,20 +39,50 @@ class Proposer {
       const std::vector<Group> base(groups_.begin(), groups_.end());
       for (const Group& group : base) vary(group);
     }
-    if (groups_.size() <= most) return {groups_.begin(), groups_.end()};
-    // The best ranked; of equals those that come first.
-    std::vector<std::pair<float, const Group*>> ranked;
-    ranked.reserve(groups_.size());
-    for (const Group& group : groups_) ranked.emplace_back(rank(group), &group);
-    std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-    std::vector<Group> best;
-    for (std::size_t i = 0; i < most; ++i) best.push_back(*ranked[i].second);
-    std::sort(best.begin(), best.end());
-    return best;
+    return bestOfEachPart(limits);
   }
 
  private:
   int at(int a, int b) const { return a * count_ + b; }
+
+  /// The groups of a part, by its root: pieces by themselves first, then the best ranked; of equals those that come
+  /// first.
+  std::map<int, std::vector<const Group*>> rankedByPart() {
+    std::map<int, std::vector<std::pair<float, const Group*>>> ranked;
+    for (const Group& group : groups_) ranked[parts_.root(group.front())].emplace_back(rank(group), &group);
+    std::map<int, std::vector<const Group*>> by_part;
+    for (auto& [part, groups] : ranked) {
+      std::stable_sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+      for (const auto& [value, group] : groups) by_part[part].push_back(group);
+    }
+    return by_part;
+  }
+
+  std::vector<Group> bestOfEachPart(const GroupLimits& limits) {
+    if (groups_.size() <= std::min(limits.of_a_part, limits.of_all)) return {groups_.begin(), groups_.end()};
+    const auto by_part = rankedByPart();
+    const auto total = [&](std::size_t cap) {
+      std::size_t sum = 0;
+      for (const auto& [part, groups] : by_part) sum += std::min(groups.size(), cap);
+      return sum;
+    };
+    // The largest cap for each part with which the total holds, too.
+    std::size_t low = 0, high = limits.of_a_part;
+    while (low < high) {
+      const std::size_t middle = low + (high - low + 1) / 2;
+      if (total(middle) <= limits.of_all) {
+        low = middle;
+      } else {
+        high = middle - 1;
+      }
+    }
+    std::vector<Group> best;
+    for (const auto& [part, groups] : by_part) {
+      for (std::size_t i = 0; i < groups.size() && (i < low || groups[i]->size() == 1); ++i) best.push_back(*groups[i]);
+    }
+    std::sort(best.begin(), best.end());
+    return best;
+  }
 
   float rank(const Group& group) const {
     if (group.size() == 1) return 1e9f;
@@ -143,13 +178,14 @@ class Proposer {
   int count_;
   std::vector<float> p_, logit_;
   std::set<Group> groups_;
+  Unions parts_;
 };
 
 }  // namespace
 
-std::vector<std::vector<int>> proposeGroups(int pieces, const std::vector<Link>& links, std::size_t most,
+std::vector<std::vector<int>> proposeGroups(int pieces, const std::vector<Link>& links, const GroupLimits& limits,
                                             const GroupKinds& kinds) {
-  return Proposer(pieces, links).run(most, kinds);
+  return Proposer(pieces, links).run(limits, kinds);
 }
 
 }  // namespace objectness

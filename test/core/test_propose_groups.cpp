@@ -12,7 +12,7 @@ using namespace objectness;
 namespace {
 
 using Group = std::vector<int>;
-constexpr std::size_t kMany = 100000;
+constexpr GroupLimits kMany{100000, 100000};
 
 Link link(int first, int second, float probability) { return {first, second, true, probability}; }
 
@@ -109,14 +109,35 @@ TEST(ProposeGroups, ACapKeepsThePiecesAndTheBestLinkedGroups) {
   const std::vector<Group> all = proposeGroups(10, links, kMany);
   ASSERT_GT(all.size(), 40u);
   for (const std::size_t most : {std::size_t{10}, std::size_t{14}, std::size_t{30}, all.size()}) {
-    const std::vector<Group> capped = proposeGroups(10, links, most);
+    const std::vector<Group> capped = proposeGroups(10, links, {most, most});
     EXPECT_EQ(capped.size(), most);
     expectWellFormed(capped, 10);
     for (int k = 0; k < 10; ++k) EXPECT_TRUE(holds(capped, {k}));
     EXPECT_TRUE(std::includes(all.begin(), all.end(), capped.begin(), capped.end()));
   }
-  EXPECT_TRUE(holds(proposeGroups(10, links, 14), {0, 1, 2}));
-  EXPECT_TRUE(holds(proposeGroups(10, links, 14), {7, 8, 9}));
+  EXPECT_TRUE(holds(proposeGroups(10, links, {14, 14}), {0, 1, 2}));
+  EXPECT_TRUE(holds(proposeGroups(10, links, {14, 14}), {7, 8, 9}));
+}
+
+TEST(ProposeGroups, APartWithManyGroupsCostsTheOthersNone) {
+  // Pieces 0 to 9 are a wall of which each fits to each, 10 to 12 and 13 to 14 an object each.
+  std::mt19937 random(4);
+  std::vector<Link> links = linksOf(std::vector<int>(10, 0), 0.9f, 0.9f, random);
+  const std::vector<Link> objects = {link(10, 11, 0.6f), link(11, 12, 0.6f), link(13, 14, 0.6f)};
+  links.insert(links.end(), objects.begin(), objects.end());
+  const std::vector<Group> all = proposeGroups(15, links, kMany);
+  for (const GroupLimits& limits : {GroupLimits{40, 100000}, GroupLimits{100000, 50}, GroupLimits{40, 49}}) {
+    const std::vector<Group> capped = proposeGroups(15, links, limits);
+    expectWellFormed(capped, 15);
+    EXPECT_LE(capped.size(), limits.of_all);
+    EXPECT_LT(capped.size(), all.size());
+    EXPECT_TRUE(std::includes(all.begin(), all.end(), capped.begin(), capped.end()));
+    for (int k = 0; k < 15; ++k) EXPECT_TRUE(holds(capped, {k}));
+    for (const Group& object : {Group{10, 11, 12}, {10, 11}, {11, 12}, {13, 14}}) EXPECT_TRUE(holds(capped, object));
+    const auto of_wall = std::count_if(capped.begin(), capped.end(), [](const Group& g) { return g.front() < 10; });
+    EXPECT_LE(static_cast<std::size_t>(of_wall), limits.of_a_part);
+    EXPECT_GE(of_wall, 39) << "and it has what is left";
+  }
 }
 
 TEST(ProposeGroups, TheOrderOfLinksDoesNotCount) {

@@ -16,6 +16,7 @@ struct GroupingConfig {
   bool learned = true;
   GroupKinds kinds;
   int max_groups = 1000;
+  int max_all_groups = 4000;
   bool paper_cost = false;
   double weight_objectness = 30.0;
   double least_objectness = 0.4;
@@ -34,7 +35,9 @@ struct GroupingConfig {
     visit("dendrograms", self.kinds.dendrograms, "groups are proposed that three ways of merging pieces pass through");
     visit("grown", self.kinds.grown,
           "groups are proposed that grow from each piece, and those with a piece more or less");
-    visit("max_groups", self.max_groups, Range{1, 100000}, "groups that are judged, the best linked ones");
+    visit("max_groups", self.max_groups, Range{1, 100000},
+          "groups that are judged of each connected part of the scene, the best linked ones");
+    visit("max_all_groups", self.max_all_groups, Range{1, 1000000}, "groups that are judged in all: bounds the time");
     visit("paper_cost", self.paper_cost,
           "groups are chosen by the paper's cost and annealing (selection), not by set packing");
     visit("weight_objectness", self.weight_objectness, Range{0, 1000},

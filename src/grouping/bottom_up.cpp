@@ -23,7 +23,8 @@ PieceGraph findPieceGraph(const Frame& frame, const Normals& normals, const Tabl
 std::vector<GroupHypothesis> proposeObjects(const Frame& frame, const Table& table, const EdgeMap& edges,
                                             const PieceGraph& graph, const std::vector<Link>& links,
                                             const GroupingConfig& config, int threads) {
-  const GroupLimits limits{static_cast<std::size_t>(config.max_groups), static_cast<std::size_t>(config.max_all_groups)};
+  const GroupLimits limits{static_cast<std::size_t>(config.max_groups),
+                           static_cast<std::size_t>(config.max_all_groups)};
   const auto groups = proposeGroups(graph.pieces.count(), links, limits, config.kinds);
   auto described = describeGroups({frame, table, edges, graph.pieces, graph.borders, links}, groups, threads);
   for (GroupHypothesis& group : described) group.cues = config.cues(group.cues);

@@ -16,6 +16,15 @@ void write(const OutputMessages& messages, const ros::Time& time, BagOutput& out
   output.write(node + topics::kMarkers, time, *messages.markers());
 }
 
+void note(const std::string& remark, SegmentBagReport& report) {
+  for (auto& [known, frames] : report.remarks) {
+    if (known != remark) continue;
+    ++frames;
+    return;
+  }
+  if (report.remarks.size() < SegmentBagReport::kMaxRemarks) report.remarks.emplace_back(remark, 1);
+}
+
 }  // namespace
 
 SegmentBagReport segmentBag(const BagInput& input, const SegmentBagSettings& settings, BagOutput& output,
@@ -36,6 +45,8 @@ SegmentBagReport segmentBag(const BagInput& input, const SegmentBagSettings& set
     const auto& camera = messages.camera_info;
     if (!camera) ++report.without_camera;
     if (camera && !settings.approximate_sync && camera->header.stamp != header.stamp) ++report.with_last_camera;
+    // That there is no camera_info is counted already.
+    for (const std::string& remark : result.segmentation.report.remarks) note(remark, report);
     const objectness::Status& status = result.segmentation.status;
     if (!status.ok()) ++report.not_segmented;
     on_frame({number, header.stamp, status, result.segmentation.segments.size(), elapsed.count()});

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
+#include <string>
 
 #include "objectness_segmentation/scene/normals.hpp"
 
@@ -22,7 +21,7 @@ constexpr Direction kDirections[] = {{1, 0}, {0, 1}, {1, 1}, {1, -1}};
 // where they are worth more than what would fill them. Registration without filling and lost pixels leave them
 // everywhere. Measured on recordings of twelve cameras.
 constexpr double kMinGaps = 0.04, kMinGapsInSmooth = 0.005;
-constexpr int kSampleStep = 7;          // of the pixels that are looked at, for smooth surroundings
+constexpr int kSampleStep = 7;  // of the pixels that are looked at, for smooth surroundings
 constexpr double kMaxSmoothSigmas = 1.5;
 
 class GapBridger {
@@ -88,13 +87,23 @@ class GapBridger {
   }
 
   float largestDifference(float z, float length_px) const {
-    const double noise = kMaxSigmas * DepthNoise().sigma(z), grazing = kMaxSlope * z * length_px / frame_.camera.focal();
+    const double noise = kMaxSigmas * DepthNoise().sigma(z),
+                 grazing = kMaxSlope * z * length_px / frame_.camera.focal();
     return static_cast<float>(std::max(noise, grazing));
   }
 
   const Frame& frame_;
   int max_gap_px_;
 };
+
+/// In steps of 5 %, as a sentence that changes with each frame is a new one to whoever logs it.
+std::string remarkOnGaps(double share) {
+  const int percent = 5 * static_cast<int>(std::lround(20 * share));
+  return (percent == 0 ? "up to 2" : "about " + std::to_string(percent)) +
+         " % of the surface in view are small holes between points of one surface, which were bridged: the result is "
+         "better without them; where depth is registered to a finer camera, fill it (fill_upsampling_holes of "
+         "depth_image_proc/register) or take the unregistered depth";
+}
 
 }  // namespace
 
@@ -121,12 +130,7 @@ void bridgeGaps(int max_gap_px, Frame& frame) {
     frame.bridged.clear();
     return;
   }
-  std::ostringstream remark;
-  remark << std::fixed << std::setprecision(share < 0.1 ? 1 : 0) << 100 * share
-         << " % of the surface in view are small holes between points of one surface, which were bridged: the result is "
-            "better without them; where depth is registered to a finer camera, fill it (fill_upsampling_holes of "
-            "depth_image_proc/register) or take the unregistered depth";
-  frame.remarks.push_back(remark.str());
+  frame.remarks.push_back(remarkOnGaps(share));
   // Only now, as what is bridged is no end for other gaps.
   for (std::size_t k = 0; k < depths.size(); ++k) {
     const int i = frame.bridged[k];

@@ -24,7 +24,8 @@ Status checkSurfaces(const Frame& frame, const Normals& normals) {
   if (with_normal >= (1 - kMaxShareWithoutNormal) * with_depth) return {};
   std::ostringstream why;
   why << "depth is torn: " << 100 * (with_depth - with_normal) / with_depth
-      << " % of the pixels that have depth lie beside a hole or a jump, which leaves no surfaces to segment; where depth "
+      << " % of the pixels that have depth lie beside a hole or a jump, which leaves no surfaces to segment; where "
+         "depth "
          "is registered to a finer camera, fill it (fill_upsampling_holes of depth_image_proc/register), take the "
          "unregistered depth, or raise input.max_gap_px";
   return Status::error(StatusCode::kBadInput, why.str());

@@ -52,6 +52,9 @@ void printRemarks(const SegmentBagReport& report, const SegmentBagOptions& optio
                (topics.camera_info.empty() ? "in this bag" : "of their stamp or frame_id on " + topics.camera_info) +
                (topics.ofDepth() ? "" : ": the camera was recovered from the grid of each"));
   }
+  for (const auto& [remark, frames] : report.remarks) {
+    printError(options.in + ": " + std::to_string(frames) + " " + input.frameName() + "(s): " + remark);
+  }
 }
 
 ExitStatus run(const SegmentBagOptions& options) {

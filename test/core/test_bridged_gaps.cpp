@@ -52,7 +52,8 @@ std::map<int, float> bridgedByTheBook(const Frame& frame, int max_gap_px) {
       for (int ahead = 1; ahead <= max_gap_px; ++ahead) {
         for (int behind = 1; ahead + behind - 1 <= max_gap_px; ++behind) {
           bool empty_between = true;
-          for (int k = -behind + 1; k < ahead; ++k) empty_between = empty_between && !(depth(u + k * du, v + k * dv) > 0);
+          for (int k = -behind + 1; k < ahead; ++k)
+            empty_between = empty_between && !(depth(u + k * du, v + k * dv) > 0);
           const float a = depth(u + ahead * du, v + ahead * dv), b = depth(u - behind * du, v - behind * dv);
           if (!empty_between || !(a > 0) || !(b > 0)) continue;
           const float length = (ahead + behind) * (du != 0 && dv != 0 ? std::sqrt(2.0f) : 1.0f), near = std::min(a, b);
@@ -90,8 +91,8 @@ TEST(BridgedGaps, AsByTheBookInRandomPictures) {
   std::mt19937 random(3);
   for (const int max_gap_px : {1, 2, 4}) {
     for (const double share : {0.05, 0.3, 0.6}) {
-      const Frame holes = withHoles(randomFrame(60, 40, 11 + max_gap_px),
-                                    [&](int, int) { return random() / 4294967296.0 < share; });
+      const Frame holes =
+          withHoles(randomFrame(60, 40, 11 + max_gap_px), [&](int, int) { return random() / 4294967296.0 < share; });
       Frame frame = holes;
       bridgeGaps(max_gap_px, frame);
       const std::map<int, float> expected = bridgedByTheBook(holes, max_gap_px);

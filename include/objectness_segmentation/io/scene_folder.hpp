@@ -16,8 +16,8 @@ Result<Frame> loadSceneFolder(const std::string& folder, const std::optional<Ima
 /// The files of a scene folder; what is empty is left out.
 struct SceneImages {
   PinholeCamera camera;
-  cv::Mat_<ushort> depth_mm;  ///< H x W, 0 = none
-  cv::Mat_<cv::Vec3b> color;  ///< H x W, BGR
+  cv::Mat_<ushort> depth_mm;     ///< H x W, 0 = none
+  cv::Mat_<cv::Vec3b> color;     ///< H x W, BGR
   cv::Mat_<ushort> true_labels;  ///< H x W, as common/true_labels.hpp says
 };
 

@@ -5,6 +5,8 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "objectness_segmentation/ros/bag_input.hpp"
 #include "objectness_segmentation/ros/bag_output.hpp"
@@ -28,11 +30,15 @@ struct SegmentBagSettings {
 };
 
 struct SegmentBagReport {
-  objectness::Status status;       ///< of the input; that of the output is its own
-  std::size_t answered = 0;        ///< frames whose results are written
-  std::size_t not_segmented = 0;   ///< of these, with a status that says why
+  objectness::Status status;         ///< of the input; that of the output is its own
+  std::size_t answered = 0;          ///< frames whose results are written
+  std::size_t not_segmented = 0;     ///< of these, with a status that says why
   std::size_t with_last_camera = 0;  ///< with the last camera_info, as none has their stamp
   std::size_t without_camera = 0;    ///< without any camera_info
+  /// What was unusual about the frames (objectness::Report::remarks) and how often, in the order of their coming; of
+  /// more than kMaxRemarks different ones the first.
+  std::vector<std::pair<std::string, std::size_t>> remarks;
+  static constexpr std::size_t kMaxRemarks = 5;
 };
 
 /// The nodelet's messages for every cloud or depth image of a bag, on /segment_objects/objects, segments and markers.

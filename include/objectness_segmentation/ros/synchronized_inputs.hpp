@@ -36,7 +36,7 @@ class SynchronizedInputs {
     std::function<void(const InputMessages&)> frame;
     std::function<void()> jump;  ///< time went back; before anything of the new time is handed on
     std::function<void(const std::string& sentence)> warning;  ///< about the inputs; each once
-    std::function<void(const std::string& what)> exception;  ///< what a message brought about: it is lost, no more
+    std::function<void(const std::string& what)> exception;    ///< what a message brought about: it is lost, no more
   };
 
   /// Subscribes to nothing yet. Topics are those of the namespace that private_nh lies in, remapped as nh says.

@@ -15,13 +15,14 @@
 namespace objectness {
 
 /// One organized RGB-D view: the only input type of the core. Pixel (u, v) has index v * width + u everywhere.
-/// Made by makeFrame(), which guarantees that sizes agree, that invalid points are NaN in all three coordinates, and that
-/// small holes in a surface are bridged.
+/// Made by makeFrame(), which guarantees that sizes agree, that invalid points are NaN in all three coordinates, and
+/// that small holes in a surface are bridged.
 struct Frame {
   PinholeCamera camera;
   std::vector<Eigen::Vector3f> points;  ///< width * height, row-major, metres, optical frame, NaN = invalid
   cv::Mat_<cv::Vec3b> color;            ///< BGR, same size, or empty when the input carries no colour
-  std::vector<int> bridged;  ///< ascending: pixels without depth whose points are interpolated (InputConfig::max_gap_px)
+  std::vector<int>
+      bridged;  ///< ascending: pixels without depth whose points are interpolated (InputConfig::max_gap_px)
   /// What is unusual about the input without being in the way: sentences a user can act on.
   std::vector<std::string> remarks;
   bool rectified = false;  ///< the input was not: its pixels are not those of the frame

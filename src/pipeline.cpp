@@ -80,9 +80,9 @@ class Stages {
 Normals seeScene(const Frame& frame, const Config& config, const Stages& stage, Segmentation& result) {
   const int threads = config.runtime.threads;
   // Sec. 2: the dominant plane, and the points above it.
+  result.status = checkSurfaces(frame);
+  if (!result.status.ok()) return {};
   Normals normals = stage("normals", [&] { return estimateNormals(frame, config.normals, {}, threads); });
-  result.status = checkSurfaces(frame, normals);
-  if (!result.status.ok()) return normals;
   Result<Table> found = stage("table", [&] { return findTable(frame, normals, config.table, threads); });
   result.status = found.status;
   result.table = std::move(found.value);

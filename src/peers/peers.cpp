@@ -83,7 +83,7 @@ void run(Peer peer, const Frame& frame, const Config& config, const PeersConfig&
     return work();
   };
   const Normals normals = stage("normals", [&] { return estimateNormals(frame, config.normals); });
-  result.status = checkSurfaces(frame, normals);
+  result.status = checkSurfaces(frame);
   if (!result.status.ok()) return;
   const Result<Table> found = stage("table", [&] { return findTable(frame, normals, config.table); });
   result.table = found.value;

@@ -9,10 +9,15 @@ namespace objectness_segmentation {
 sensor_msgs::Image toLabelImage(const SegmentedFrame& result, const std_msgs::Header& header) {
   cv::Mat_<ushort> labels(result.frame.height(), result.frame.width(), ushort{0});
   if (result.segmentation.status.ok() && !labels.empty()) {
+    // The table, from the image by rank; the objects' own pixels with their labels over it.
     result.segmentation.labels.copyTo(labels);
-    for (ushort& label : labels) {
-      if (label < objectness::kFirstObjectLabel) continue;
-      label = static_cast<ushort>(identityOf(result, label - objectness::kFirstObjectLabel).label);
+    const auto labelOf = [&](std::size_t rank) { return static_cast<ushort>(identityOf(result, rank).label); };
+    for (const int pixel : result.frame.bridged) {
+      ushort& label = labels.ptr<ushort>()[pixel];
+      if (label >= objectness::kFirstObjectLabel) label = labelOf(label - objectness::kFirstObjectLabel);
+    }
+    for (std::size_t rank = 0; rank < result.segmentation.segments.size(); ++rank) {
+      for (const int pixel : result.segmentation.segments[rank].pixels) labels.ptr<ushort>()[pixel] = labelOf(rank);
     }
   }
   if (result.step > 1) {

@@ -6,27 +6,26 @@
 namespace objectness {
 namespace {
 
-// Of clutter in front of a wall it is an eighth, on a recording of each of twelve cameras a twentieth.
-constexpr double kMaxShareWithoutNormal = 0.5;
+// On recordings of twelve cameras it is an eighth at most.
+constexpr double kMaxShareBesideHoles = 0.5;
+constexpr int kSampleStep = 7;
 
 }  // namespace
 
-Status checkSurfaces(const Frame& frame, const Normals& normals) {
-  std::size_t with_depth = 0, with_normal = 0;
-  // Pixels at the border of the image have no normal in any frame.
-  for (int v = 1; v + 1 < frame.height(); ++v) {
-    const std::size_t row = static_cast<std::size_t>(v) * frame.width();
-    for (int u = 1; u + 1 < frame.width(); ++u) {
-      with_depth += frame.points[row + u].z() > 0;
-      with_normal += normals.radius_px[row + u] > 0;
-    }
+Status checkSurfaces(const Frame& frame) {
+  const int width = frame.width();
+  std::size_t with_depth = 0, beside_holes = 0;
+  const auto missing = [&](int i) { return !(frame.points[i].z() > 0); };
+  for (int i = width; i < frame.size() - width; i += kSampleStep) {
+    if (i % width == 0 || i % width == width - 1 || missing(i)) continue;
+    ++with_depth;
+    beside_holes += missing(i - 1) || missing(i + 1) || missing(i - width) || missing(i + width);
   }
-  if (with_normal >= (1 - kMaxShareWithoutNormal) * with_depth) return {};
+  if (beside_holes <= kMaxShareBesideHoles * with_depth) return {};
   std::ostringstream why;
-  why << "depth is torn: " << 100 * (with_depth - with_normal) / with_depth
-      << " % of the pixels that have depth lie beside a hole or a jump, which leaves no surfaces to segment; where "
-         "depth "
-         "is registered to a finer camera, fill it (fill_upsampling_holes of depth_image_proc/register), take the "
+  why << "depth is torn: " << 100 * beside_holes / with_depth
+      << " % of the pixels that have depth lie beside one without, which leaves no surfaces to segment; where depth is "
+         "registered to a finer camera, fill it (fill_upsampling_holes of depth_image_proc/register), take the "
          "unregistered depth, or raise input.max_gap_px";
   return Status::error(StatusCode::kBadInput, why.str());
 }

@@ -143,9 +143,9 @@ TEST(ProposeGroups, APartWithManyGroupsCostsTheOthersNone) {
 TEST(ProposeGroups, TheOrderOfLinksDoesNotCount) {
   std::mt19937 random(4);
   std::vector<Link> links = linksOf({0, 1, 0, 1, 2, 2, 0, 3}, 0.7f, 0.3f, random);
-  const std::vector<Group> groups = proposeGroups(8, links, 25);
+  const std::vector<Group> groups = proposeGroups(8, links, {25, 25});
   std::reverse(links.begin(), links.end());
-  EXPECT_EQ(proposeGroups(8, links, 25), groups);
+  EXPECT_EQ(proposeGroups(8, links, {25, 25}), groups);
 }
 
 TEST(ProposeGroups, KindsCanBeLeftOut) {

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "objectness_segmentation/common/status.hpp"
-#include "objectness_segmentation/scene/normals.hpp"
+#include "objectness_segmentation/scene/frame.hpp"
 
 namespace objectness {
 
-/// kBadInput where most pixels with depth lie beside a hole or a jump on every scale, so that there are no surfaces to
-/// be segmented: sparse, torn or interleaved depth.
-Status checkSurfaces(const Frame& frame, const Normals& normals);
+/// kBadInput where most pixels with depth lie beside one without, so that there are no surfaces to be segmented: sparse,
+/// torn or interleaved depth.
+Status checkSurfaces(const Frame& frame);
 
 }  // namespace objectness

@@ -136,11 +136,14 @@ bool isUnder(const Thing& thing, const Footprint& foot) {
     const float a = (i % kGrid + 0.5f) / kGrid, b = (i / kGrid + 0.5f) / kGrid;
     const cv::Point2f place =
         foot.corners[0] + a * (foot.corners[1] - foot.corners[0]) + b * (foot.corners[3] - foot.corners[0]);
-    carried += depthWithin(thing.plan, place) >= -kSlackM;
+    // Outside of the bounds with their margins the distance is larger, and need not be known.
+    carried += thing.bounds.contains(place) && depthWithin(thing.plan, place) >= -kSlackM;
   }
   if (carried >= kMinCarried * kGrid * kGrid) return true;
   std::size_t under = 0;
-  for (const auto& p : thing.points) under += depthWithin(foot.corners, {p.x(), p.y()}) >= -kFlushM;
+  for (const auto& p : thing.points) {
+    under += foot.bounds.contains({p.x(), p.y()}) && depthWithin(foot.corners, {p.x(), p.y()}) >= -kFlushM;
+  }
   return under >= kMinUnder * thing.points.size();
 }
 
@@ -151,7 +154,7 @@ float topUnder(const Thing& thing, const Footprint& foot, float lowest_m) {
   std::size_t over = 0;
   for (std::size_t i = 0; i < thing.points.size(); ++i) {
     const Eigen::Vector3f& p = thing.points[i];
-    const bool near = depthWithin(foot.corners, {p.x(), p.y()}) >= -kNearM;
+    const bool near = foot.bounds.contains({p.x(), p.y()}) && depthWithin(foot.corners, {p.x(), p.y()}) >= -kNearM;
     if (p.z() > limit_m) {
       over += near;
       continue;

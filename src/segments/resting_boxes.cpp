@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <opencv2/imgproc.hpp>
 
 #include "../scene/mask_parts.hpp"
@@ -10,7 +11,7 @@
 namespace objectness {
 namespace {
 
-constexpr std::size_t kPoints = 3000;  // of a thing; as many tell its top to a millimetre
+constexpr std::size_t kPoints = 1200;  // of a thing; as many tell its top to a millimetre
 constexpr int kMinLeftPixels = 60;     // of a part of no segment that may carry something
 constexpr std::size_t kMinPoints = 8;
 constexpr double kFew = 0.03;                          // share of a thing's points that may belong to what is under it
@@ -26,7 +27,7 @@ constexpr double kTop = 0.95;                         // share of the level poin
 constexpr double kMaxOver = 0.2;                      // of a thing's points, above the foot of what is on it
 constexpr float kMaxOverhangM = 0.015f;  // of heights: a thing is seen nearly up to what stands flush on it
 constexpr double kMinHeightM = 0.005;
-constexpr double kRoundingM = 1e-6;
+constexpr float kRoundingM = 1e-6f;
 
 using Outline = std::vector<cv::Point2f>;
 
@@ -37,16 +38,45 @@ float quantile(std::vector<float>& values, double share) {
   return *at;
 }
 
-/// How far inside of a convex outline a place is; negative: how far outside.
-float depthWithin(const Outline& outline, const cv::Point2f& place) {
-  return static_cast<float>(cv::pointPolygonTest(outline, place, true));
-}
+/// A convex polygon that is asked for many places.
+class ConvexArea {
+ public:
+  ConvexArea() = default;
+  explicit ConvexArea(Outline corners) : corners_(std::move(corners)) {
+    const bool clockwise = cv::contourArea(corners_, true) < 0;
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      const cv::Point2f along = corners_[(i + 1) % corners_.size()] - corners_[i];
+      const float length = static_cast<float>(cv::norm(along));
+      if (!(length > 0)) continue;
+      const cv::Point2f inwards = (clockwise ? 1 : -1) * cv::Point2f(along.y, -along.x) / length;
+      sides_.push_back({inwards, inwards.dot(corners_[i])});
+    }
+  }
+
+  /// Whether a place is inside or at most that far outside.
+  bool contains(const cv::Point2f& place, float margin_m) const {
+    float inside = std::numeric_limits<float>::max();  // of the nearest side
+    for (const Side& side : sides_) inside = std::min(inside, side.inwards.dot(place) - side.offset);
+    if (inside < -margin_m - kRoundingM) return false;
+    if (inside > kRoundingM && sides_.size() > 2) return true;
+    // Beyond a corner it may be farther from the polygon than from its sides.
+    return cv::pointPolygonTest(corners_, place, true) >= -margin_m;
+  }
+
+ private:
+  struct Side {
+    cv::Point2f inwards;
+    float offset;
+  };
+  Outline corners_;
+  std::vector<Side> sides_;
+};
 
 /// Some points of a thing in the table frame.
 struct Thing {
   std::vector<Eigen::Vector3f> points;
   std::vector<char> level;  ///< by point: the surface is level there
-  Outline plan;             ///< their convex hull seen from above
+  ConvexArea plan;          ///< their convex hull seen from above
   cv::Rect2f bounds;        ///< of the plan
   float tolerance_m = 0;    ///< of heights
 
@@ -70,11 +100,12 @@ Thing describe(const Frame& frame, const Normals& normals, const Table& table, c
     depths += p.z();
   }
   if (thing.points.empty()) return thing;
-  Outline places;
+  Outline places, hull;
   for (const auto& p : thing.points) places.emplace_back(p.x(), p.y());
-  cv::convexHull(places, thing.plan);
+  cv::convexHull(places, hull);
+  thing.plan = ConvexArea(hull);
   cv::Point2f low = places[0], high = places[0];
-  for (const auto& p : thing.plan) {
+  for (const auto& p : hull) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
@@ -108,6 +139,7 @@ std::vector<Thing> describeAll(const Frame& frame, const Normals& normals, const
 /// A box in the table frame, and where it stands.
 struct Footprint {
   Outline corners;        ///< of its lower face seen from above, in order
+  ConvexArea area;        ///< within them
   cv::Rect2f bounds;      ///< of these and what is near
   float lowest_corner_m;  ///< height
 
@@ -125,6 +157,7 @@ struct Footprint {
     }
     const cv::Point2f margin(kNearM, kNearM);
     bounds = {low - margin, high + margin};
+    area = ConvexArea(corners);
   }
 };
 
@@ -137,12 +170,12 @@ bool isUnder(const Thing& thing, const Footprint& foot) {
     const cv::Point2f place =
         foot.corners[0] + a * (foot.corners[1] - foot.corners[0]) + b * (foot.corners[3] - foot.corners[0]);
     // Outside of the bounds with their margins the distance is larger, and need not be known.
-    carried += thing.bounds.contains(place) && depthWithin(thing.plan, place) >= -kSlackM;
+    carried += thing.bounds.contains(place) && thing.plan.contains(place, kSlackM);
   }
   if (carried >= kMinCarried * kGrid * kGrid) return true;
   std::size_t under = 0;
   for (const auto& p : thing.points) {
-    under += foot.bounds.contains({p.x(), p.y()}) && depthWithin(foot.corners, {p.x(), p.y()}) >= -kFlushM;
+    under += foot.bounds.contains({p.x(), p.y()}) && foot.area.contains({p.x(), p.y()}, kFlushM);
   }
   return under >= kMinUnder * thing.points.size();
 }
@@ -154,7 +187,7 @@ float topUnder(const Thing& thing, const Footprint& foot, float lowest_m) {
   std::size_t over = 0;
   for (std::size_t i = 0; i < thing.points.size(); ++i) {
     const Eigen::Vector3f& p = thing.points[i];
-    const bool near = foot.bounds.contains({p.x(), p.y()}) && depthWithin(foot.corners, {p.x(), p.y()}) >= -kNearM;
+    const bool near = foot.bounds.contains({p.x(), p.y()}) && foot.area.contains({p.x(), p.y()}, kNearM);
     if (p.z() > limit_m) {
       over += near;
       continue;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "height_map.hpp"
+#include "low_things.hpp"
 #include "objectness_segmentation/common/parallel.hpp"
 #include "standing_things.hpp"
 #include "wall_patches.hpp"
@@ -35,6 +36,7 @@ ObjectPoints findObjectPoints(const Frame& frame, const Normals& normals, const 
                               const ObjectPointsConfig& config, int threads) {
   const HeightMap map = makeHeightMap(frame, table, config, threads);
   cv::Mat_<uchar> mask = aboveTable(map);
+  if (config.low_things) mask |= lowThings(map, config, mask, threads);
   removeWalls(frame, normals, table, map, config, mask, threads);
   const Things things = findThings(frame, table, map, config, mask, threads);
   mask = things.label > 0;

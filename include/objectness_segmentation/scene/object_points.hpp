@@ -20,6 +20,9 @@ struct ObjectPointsConfig {
   double min_area_m2 = 3e-4;
   double min_inside_share = 0.35;
   bool hollow_floors = true;
+  bool low_things = true;
+  double low_sigmas = 4.0;
+  double low_min_height_m = 0.006;
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
@@ -36,6 +39,11 @@ struct ObjectPointsConfig {
           "least share of a thing's points over the table's extent");
     visit("hollow_floors", self.hollow_floors,
           "points at table height enclosed by one hollow thing (a bowl) belong to it");
+    visit("low_things", self.low_things,
+          "points within the noise over the table count where a whole patch of them agrees");
+    visit("low_sigmas", self.low_sigmas, Range{1, 20},
+          "a patch counts from this many sigma of the noise that patches of the table have");
+    visit("low_min_height_m", self.low_min_height_m, Range{0, 0.1}, "but never from less mean height than this");
   }
 };
 

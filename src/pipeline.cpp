@@ -13,6 +13,7 @@
 #include "objectness_segmentation/scene/refined_normals.hpp"
 #include "objectness_segmentation/scene/surface_check.hpp"
 #include "objectness_segmentation/search/angle_search.hpp"
+#include "objectness_segmentation/segments/background.hpp"
 #include "objectness_segmentation/segments/resting_boxes.hpp"
 #include "objectness_segmentation/selection/hypotheses.hpp"
 
@@ -240,6 +241,7 @@ void run(const Frame& frame, const Config& config, const LearnedObjectness* mode
     searchBoxes(frame, config, stage, result);
   }
   if (!result.status.ok()) return;
+  takeBackground(frame, result.table, result.object_points, result.segments);
   stage("resting_boxes", [&] { restBoxes(frame, normals, result.table, result.object_points, result.segments); });
   keepMeasured(frame.bridged, result.segments);
   result.labels = labelImage(result.object_points.on_table, frame.bridged, result.segments);

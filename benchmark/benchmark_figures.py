@@ -77,6 +77,7 @@ def figures(results, simulated):
     default, paper = ("frame", "objectness", "none"), ("frame", "paper", "tight")
     best, strict = ("frame", "paper_top_k", "tight"), ("frame", "paper_strict", "tight")
     lccp, lccp_pcl = ("frame", "lccp", "none"), ("frame", "lccp_pcl_normals", "none")
+    euclidean, organized = ("frame", "euclidean", "none"), ("frame", "organized", "none")
     angles, strict_angles = wall("angles", "all", "wide"), wall("angles", "strict", "wide")
     return [
         Figure("exact search, wide, against the nested loop, CPU time", "share", 1 / 40,
@@ -93,18 +94,24 @@ def figures(results, simulated):
         Figure("frame, `paper`, 14 to 16 objects, the 1000 best boxes", "ms", 33, over(wall(*best), *MANY)),
         Figure("frame, `objectness`, 2 to 3 objects", "ms", 33, over(wall(*default), *FEW)),
         Figure("frame, `objectness`, 14 to 20 objects", "ms", 50, over(wall(*default), *MOST)),
-        Figure("frame, `objectness`, against LCCP after the same normals and table, 2 to 3 objects", "", 0.5,
+        Figure("frame, `objectness`, against LCCP after the same front end, 2 to 3 objects", "", 0.5,
                over(ratio(results, default, lccp), *FEW)),
         Figure("the same, 14 to 20 objects", "", 1.0, over(ratio(results, default, lccp), *MOST)),
-        Figure("frame, `objectness`, against LCCP after PCL's normals and the same table, 2 to 3 objects", "", 0.5,
+        Figure("frame, `objectness`, against LCCP after the same front end with PCL's normals, 2 to 3 objects", "", 0.5,
                over(ratio(results, default, lccp_pcl), *FEW)),
         Figure("the same, 14 to 20 objects", "", 1.0, over(ratio(results, default, lccp_pcl), *MOST)),
-        Figure("frame, `paper`, against LCCP after the same normals and table, 2 to 3 objects", "", 0.5,
+        Figure("frame, `paper`, against LCCP after the same front end, 2 to 3 objects", "", 0.5,
                over(ratio(results, paper, lccp), *FEW)),
         Figure("the same, 14 to 20 objects", "", 1.0, over(ratio(results, paper, lccp), *MOST)),
-        Figure("frame, `paper`, against LCCP after PCL's normals and the same table, 2 to 3 objects", "", 0.5,
+        Figure("frame, `paper`, against LCCP after the same front end with PCL's normals, 2 to 3 objects", "", 0.5,
                over(ratio(results, paper, lccp_pcl), *FEW)),
         Figure("the same, 14 to 20 objects", "", 1.0, over(ratio(results, paper, lccp_pcl), *MOST)),
+        Figure("frame, `objectness`, against RANSAC's plane and Euclidean clusters, PCL alone, 2 to 3 objects", "", 1.0,
+               over(ratio(results, default, euclidean), *FEW)),
+        Figure("the same, 14 to 20 objects", "", 1.0, over(ratio(results, default, euclidean), *MOST)),
+        Figure("frame, `objectness`, against RANSAC's plane and organized clusters, PCL alone, 2 to 3 objects", "", 1.0,
+               over(ratio(results, default, organized), *FEW)),
+        Figure("the same, 14 to 20 objects", "", 1.0, over(ratio(results, default, organized), *MOST)),
         Figure("peak memory, `objectness`", "MiB", 300, over(peak("objectness", "none"))),
         Figure("peak memory, `paper`", "MiB", 300, over(peak("paper", "tight"))),
         Figure("peak memory, `paper`, wide", "MiB", 300, over(peak("paper", "wide"))),

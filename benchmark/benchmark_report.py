@@ -19,7 +19,8 @@ from benchmark_results import Results, Value, short
 
 OWN_FRAMES = [("objectness", "none"), ("paper", "tight"), ("paper", "wide"), ("paper_top_k", "tight"),
               ("paper_top_k", "wide"), ("paper_strict", "tight"), ("paper_strict", "wide")]
-PEERS = [("mps", "none"), ("lccp", "none"), ("mps_pcl_normals", "none"), ("lccp_pcl_normals", "none")]
+PEERS = [("mps", "none"), ("lccp", "none"), ("mps_pcl_normals", "none"), ("lccp_pcl_normals", "none"),
+         ("euclidean", "none"), ("organized", "none")]
 
 
 def table(header, rows):
@@ -126,7 +127,9 @@ def write_report(results, plots, folder):
         "## Figures", "640 x 480; medians and ranges are over scenes, of medians over runs. A time is reached by its "
         "median, a ratio or a memory everywhere.", figure_tables(results),
         *("![%s](%s)" % (caption, path.relative_to(folder)) for caption, path in plots.items()),
-        "## Whole frames", "Wall time. MPS and LCCP of PCL have the same table and the same normals, or PCL's.",
+        "## Whole frames", "Wall time. MPS and LCCP of PCL come after the package's front end on as many threads: normals (the "
+        "package's, or PCL's), table, refined normals, points on the table. Euclidean and organized are PCL alone: "
+        "passthrough, a plane by RANSAC, clusters of the rest in space or in the image.",
         frame_table(results),
         "## Searches", "CPU time of one thread over all angles; all searches found the same boxes.",
         search_table(results),

@@ -62,6 +62,7 @@ std::vector<FrameMethod> frameMethods() {
     methods.push_back(peerMethod(Peer::kMps, pcl_normals));
     methods.push_back(peerMethod(Peer::kLccp, pcl_normals));
   }
+  for (const Peer peer : {Peer::kEuclidean, Peer::kOrganized}) methods.push_back(peerMethod(peer, false));
   return methods;
 }
 

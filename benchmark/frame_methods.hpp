@@ -21,8 +21,8 @@ struct FrameMethod {
   bool is_peer = false;  ///< one of PCL's
 };
 
-/// Both of the package's methods, and PCL's MPS and LCCP above the same table with the same normals and with PCL's own;
-/// with kThreads threads.
+/// Both of the package's methods; PCL's MPS and LCCP after the package's front end, with its normals or with PCL's; and
+/// what is written with PCL alone. kThreads threads wherever there is more than one.
 std::vector<FrameMethod> frameMethods();
 
 /// A volume of interest of the paper's search: as far as the objects reach, or the preset cfg/wide_volume.yaml.

@@ -4,14 +4,12 @@
 #include <algorithm>
 
 #include "doubtful_scale.hpp"
+#include "front_end.hpp"
 #include "guarded_segmentation.hpp"
 #include "objectness_segmentation/common/thread_pool.hpp"
-#include "objectness_segmentation/cues/surface_cues.hpp"
 #include "objectness_segmentation/grouping/bottom_up.hpp"
 #include "objectness_segmentation/grouping/group_cost.hpp"
 #include "objectness_segmentation/grouping/hand_set.hpp"
-#include "objectness_segmentation/scene/refined_normals.hpp"
-#include "objectness_segmentation/scene/surface_check.hpp"
 #include "objectness_segmentation/search/angle_search.hpp"
 #include "objectness_segmentation/segments/background.hpp"
 #include "objectness_segmentation/segments/resting_boxes.hpp"
@@ -19,9 +17,6 @@
 
 namespace objectness {
 namespace {
-
-/// Thrown between stages only, and caught in segment().
-struct Cancelled {};
 
 SearchSettings searchSettings(const Config& config) {
   return {config.volume, config.search, config.objectness, config.filter.threshold, config.runtime.threads};
@@ -52,57 +47,6 @@ std::vector<RankedBox> rankedBoxes(const std::vector<GroupHypothesis>& groups) {
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const RankedBox& a, const RankedBox& b) { return a.objectness > b.objectness; });
   return ranked;
-}
-
-/// The stages of a frame: timed, counted, and not begun once cancelled.
-class Stages {
- public:
-  Stages(const std::atomic<bool>* cancel, Report& report) : cancel_(cancel), report_(report) {}
-
-  template <class Work>
-  auto operator()(const char* name, Work&& work) const {
-    if (cancel_ && *cancel_) throw Cancelled();
-    const StageTimer timer(report_.timings_ms, name);
-    return work();
-  }
-  template <class Value>
-  void count(const char* name, Value value) const {
-    report_.counts.emplace_back(name, value);
-  }
-  void value(const char* name, double value) const { report_.values.emplace_back(name, value); }
-  const std::atomic<bool>* cancelFlag() const { return cancel_; }
-
- private:
-  const std::atomic<bool>* cancel_;
-  Report& report_;
-};
-
-/// What both methods start from: the table, the points on it, edges and superpixels. Returns the normals.
-Normals seeScene(const Frame& frame, const Config& config, const Stages& stage, Segmentation& result) {
-  const int threads = config.runtime.threads;
-  // Sec. 2: the dominant plane, and the points above it.
-  result.status = checkSurfaces(frame);
-  if (!result.status.ok()) return {};
-  Normals normals = stage("normals", [&] { return estimateNormals(frame, config.normals, {}, threads); });
-  Result<Table> found = stage("table", [&] { return findTable(frame, normals, config.table, threads); });
-  result.status = found.status;
-  result.table = std::move(found.value);
-  if (!result.status.ok()) return normals;
-  normals = stage("refined_normals",
-                  [&] { return refineNormals(frame, std::move(normals), result.table, config.normals, threads); });
-  const ObjectPoints& above = result.object_points = stage(
-      "object_points", [&] { return findObjectPoints(frame, normals, result.table, config.object_points, threads); });
-
-  // Sec. 2.3 and 3.1 to 3.3: edges and smooth superpixels.
-  const SuperpixelsConfig superpixels =
-      config.grouping.enabled ? config.superpixels : superpixelsForBoxes(config.superpixels);
-  SurfaceCues cues = stage("surface_cues", [&] {
-    return findSurfaceCues(frame, normals, result.table, above, config.edges, superpixels, threads);
-  });
-  result.edges = std::move(cues.edges);
-  result.superpixels = std::move(cues.superpixels);
-  stage.count("superpixels", result.superpixels.count);
-  return normals;
 }
 
 /// The paper: boxes of an exhaustive sampling, weighed by hand.
@@ -188,9 +132,9 @@ std::vector<int> annealGroups(const Frame& frame, const Table& table, const Piec
 /// Past the paper: groups of superpixels of any height and tilt, judged by what was learned, or without a model by
 /// hand.
 void groupPieces(const Frame& frame, const Config& config, const LearnedObjectness* model, const Stages& stage,
-                 const Normals& normals, Segmentation& result) {
+                 Segmentation& result) {
   const PieceGraph graph = stage("pieces", [&] {
-    return findPieceGraph(frame, normals, result.table, result.object_points, result.superpixels, config.pieces,
+    return findPieceGraph(frame, result.normals, result.table, result.object_points, result.superpixels, config.pieces,
                           config.links, config.runtime.threads);
   });
   stage.count("pieces", graph.pieces.count());
@@ -229,20 +173,21 @@ void run(const Frame& frame, const Config& config, const LearnedObjectness* mode
          Segmentation& result) {
   const ThreadPool pool(config.runtime.threads);
   const Stages stage(cancel, result.report);
-  const Normals normals = seeScene(frame, config, stage, result);
+  observeScene(frame, config, stage, result);
   if (!result.status.ok()) {
     remarkOnScale(frame, result);
     return;
   }
   if (config.grouping.enabled) {
     const bool learned = config.grouping.learned;
-    groupPieces(frame, config, !learned ? nullptr : model ? model : &defaultModel(), stage, normals, result);
+    groupPieces(frame, config, !learned ? nullptr : model ? model : &defaultModel(), stage, result);
   } else {
     searchBoxes(frame, config, stage, result);
   }
   if (!result.status.ok()) return;
   takeBackground(frame, result.table, result.object_points, result.segments);
-  stage("resting_boxes", [&] { restBoxes(frame, normals, result.table, result.object_points, result.segments); });
+  stage("resting_boxes",
+        [&] { restBoxes(frame, result.normals, result.table, result.object_points, result.segments); });
   keepMeasured(frame.bridged, result.segments);
   result.labels = labelImage(result.object_points.on_table, frame.bridged, result.segments);
   stage.count("segments", result.segments.size());

@@ -7,11 +7,7 @@
 #include <vector>
 
 #include "objectness_segmentation/common/stage_timer.hpp"
-#include "objectness_segmentation/common/status.hpp"
-#include "objectness_segmentation/cues/edges.hpp"
-#include "objectness_segmentation/cues/superpixels.hpp"
-#include "objectness_segmentation/scene/object_points.hpp"
-#include "objectness_segmentation/scene/table.hpp"
+#include "objectness_segmentation/scene_observation.hpp"
 #include "objectness_segmentation/segments/segments.hpp"
 
 namespace objectness {
@@ -29,12 +25,7 @@ struct Report {
 };
 
 /// Everything that is known about a frame. When status is not ok(), what the stages before the failure found is kept.
-struct Segmentation {
-  Status status;
-  Table table;
-  ObjectPoints object_points;
-  EdgeMap edges;
-  Superpixels superpixels;
+struct Segmentation : SceneObservation {
   /// What the objects were chosen among, best objectness first: the boxes of all groups, or for the paper's method what
   /// the filtering of Sec. 4.1 leaves.
   std::vector<RankedBox> proposals;

@@ -32,7 +32,7 @@ Method learnedMethod(const std::string& name, const std::string& description, co
   return method;
 }
 
-/// Peers get the table and the points above it that the package finds.
+/// mps, lccp and cpc get the table and the points above it that the package finds.
 Method peerMethod(Peer peer, const std::string& description, const Config& config) {
   return {toString(peer),
           description,
@@ -55,6 +55,10 @@ std::vector<Method> allMethods(Config config, const std::optional<LearnedObjectn
       peerMethod(Peer::kMps, "PCL's organized multi-plane segmentation, the paper's baseline.", config),
       peerMethod(Peer::kLccp, "PCL's locally convex connected patches over supervoxels.", config),
       peerMethod(Peer::kCpc, "PCL's constrained planar cuts over supervoxels.", config),
+      peerMethod(Peer::kEuclidean, "PCL alone: passthrough, a plane by RANSAC, Euclidean clusters of the rest.",
+                 config),
+      peerMethod(Peer::kOrganized, "PCL alone: passthrough, a plane by RANSAC, connected components of the rest.",
+                 config),
   };
 }
 

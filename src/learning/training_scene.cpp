@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "front_end.hpp"
 #include "objectness_segmentation/common/true_labels.hpp"
 #include "objectness_segmentation/learning/cue_list.hpp"
-#include "objectness_segmentation/scene/refined_normals.hpp"
 
 namespace objectness {
 namespace {
@@ -63,16 +63,13 @@ template Samples samplesOf<GroupCues>();
 TrainingScene observe(const Frame& frame, const cv::Mat_<ushort>& truth, const Config& config) {
   TrainingScene scene;
   scene.frame = frame;
-  Normals normals = estimateNormals(frame, config.normals);
-  const Result<Table> table = findTable(frame, normals, config.table);
-  scene.status = table.status;
-  if (!table.ok()) return scene;
-  scene.table = table.value;
-  normals = refineNormals(frame, std::move(normals), scene.table, config.normals);
-  const ObjectPoints above = findObjectPoints(frame, normals, scene.table, config.object_points);
-  scene.edges = findEdges(frame, normals, scene.table, above, config.edges);
-  const Superpixels superpixels = findSuperpixels(frame, normals, scene.table, above, config.superpixels);
-  scene.graph = findPieceGraph(frame, normals, scene.table, above, superpixels, config.pieces, config.links);
+  Config grouping = config;
+  grouping.grouping.enabled = true;  // it is for this method that scenes are learned from
+  Report report;
+  observeScene(frame, grouping, Stages(nullptr, report), scene);
+  if (!scene.status.ok()) return scene;
+  scene.graph = findPieceGraph(frame, scene.normals, scene.table, scene.object_points, scene.superpixels, config.pieces,
+                               config.links, config.runtime.threads);
   compare(truth, scene);
   return scene;
 }

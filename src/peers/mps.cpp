@@ -3,38 +3,20 @@
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
-#include <pcl/segmentation/euclidean_cluster_comparator.h>
-#include <pcl/segmentation/organized_connected_component_segmentation.h>
 #include <pcl/segmentation/organized_multi_plane_segmentation.h>
 
-#include <limits>
-
 #include "objectness_segmentation/common/angles.hpp"
+#include "organized_cloud.hpp"
+#include "organized_clusters.hpp"
 
 namespace objectness {
 namespace {
-
-using Cloud = pcl::PointCloud<pcl::PointXYZ>;
-
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-
-/// The frame's points where `mask` is not zero, NaN elsewhere; all of them without a mask.
-Cloud::Ptr toCloud(const Frame& frame, const cv::Mat_<uchar>& mask = {}) {
-  Cloud::Ptr cloud(new Cloud(frame.width(), frame.height(), pcl::PointXYZ(kNaN, kNaN, kNaN)));
-  for (int i = 0; i < frame.size(); ++i) {
-    if (mask.empty() || mask(i / frame.width(), i % frame.width())) {
-      cloud->points[i].getVector3fMap() = frame.points[i];
-    }
-  }
-  cloud->is_dense = false;
-  return cloud;
-}
 
 std::vector<pcl::PointIndices> findPlanes(const Frame& frame, const Normals& normals, const MpsConfig& config) {
   pcl::PointCloud<pcl::Normal>::Ptr given(new pcl::PointCloud<pcl::Normal>(frame.width(), frame.height()));
   for (int i = 0; i < frame.size(); ++i) given->points[i].getNormalVector3fMap() = normals.normal[i];
   pcl::OrganizedMultiPlaneSegmentation<pcl::PointXYZ, pcl::Normal, pcl::Label> planes;
-  planes.setInputCloud(toCloud(frame));
+  planes.setInputCloud(organizedCloud(frame));
   planes.setInputNormals(given);
   planes.setMinInliers(static_cast<unsigned>(config.min_plane_pixels));
   planes.setAngularThreshold(config.plane_angle_deg * kDegree);
@@ -64,24 +46,7 @@ std::vector<int> labelMps(const Frame& frame, const Normals& normals, const cv::
   cv::Mat_<uchar> mask = object_mask.clone();
   removePlanes(findPlanes(frame, normals, config), config.object_planes, mask);
 
-  // Points that are not to be clustered are taken out of the cloud. The comparator's own exclude labels mean opposite
-  // things in different versions of PCL.
-  using Comparator = pcl::EuclideanClusterComparator<pcl::PointXYZ, pcl::Label>;
-  const Cloud::Ptr cloud = toCloud(frame, mask);
-  const Comparator::Ptr comparator(new Comparator());
-  comparator->setInputCloud(cloud);
-  comparator->setDistanceThreshold(static_cast<float>(config.cluster_distance_m), config.depth_dependent);
-  pcl::OrganizedConnectedComponentSegmentation<pcl::PointXYZ, pcl::Label> components(comparator);
-  components.setInputCloud(cloud);
-  pcl::PointCloud<pcl::Label> found;
-  std::vector<pcl::PointIndices> indices;
-  components.segment(found, indices);
-
-  std::vector<int> labels(frame.size(), 0);
-  for (std::size_t k = 0; k < indices.size(); ++k) {
-    for (const int i : indices[k].indices) labels[i] = static_cast<int>(k) + 1;
-  }
-  return labels;
+  return labelOrganizedClusters(frame, mask, config.cluster_distance_m, config.depth_dependent);
 }
 
 }  // namespace objectness

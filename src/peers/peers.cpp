@@ -2,14 +2,20 @@
 #include "objectness_segmentation/peers/peers.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <sstream>
 
 #include "convex_parts.hpp"
+#include "euclidean_clusters.hpp"
+#include "front_end.hpp"
 #include "guarded_segmentation.hpp"
 #include "io/quiet_pcl.hpp"
 #include "mps.hpp"
-#include "objectness_segmentation/scene/surface_check.hpp"
+#include "objectness_segmentation/common/thread_pool.hpp"
+#include "organized_clusters.hpp"
+#include "ransac_plane.hpp"
+#include "scene/plane_grid.hpp"
 
 namespace objectness {
 namespace {
@@ -19,6 +25,8 @@ void visitFields(Peer peer, const PeersConfig& settings, Visit&& visit) {
   if (peer == Peer::kMps) MpsConfig::fields(settings.mps, visit);
   if (peer == Peer::kLccp) LccpConfig::fields(settings.lccp, visit);
   if (peer == Peer::kCpc) CpcConfig::fields(settings.cpc, visit);
+  if (peer == Peer::kEuclidean) EuclideanConfig::fields(settings.euclidean, visit);
+  if (peer == Peer::kOrganized) OrganizedConfig::fields(settings.organized, visit);
 }
 
 /// The first value out of its range, a sentence; empty when there is none.
@@ -53,22 +61,28 @@ std::string problemOf(Peer peer, const Config& config, const PeersConfig& settin
   if (!problems.empty()) return problems.front();
   RangeCheck check{toString(peer), ""};
   visitFields(peer, settings, check);
+  const bool has_supervoxels = peer == Peer::kLccp || peer == Peer::kCpc;
   const LccpConfig& lccp = peer == Peer::kCpc ? settings.cpc.lccp : settings.lccp;
-  if (check.problem.empty() && peer != Peer::kMps && lccp.seed_m < lccp.voxel_m) {
+  if (check.problem.empty() && has_supervoxels && lccp.seed_m < lccp.voxel_m) {
     check.problem = std::string(toString(peer)) + ".seed_m is less than voxel_m: a supervoxel needs a voxel at least";
   }
   return check.problem;
 }
 
+struct Sizes {
+  int min_pixels, max_pixels = std::numeric_limits<int>::max();
+};
+
 /// Groups pixels by label, 0 left out; largest first, ties in the order of the pixels.
-std::vector<Segment> collectSegments(const std::vector<int>& labels, std::size_t min_pixels) {
+std::vector<Segment> collectSegments(const std::vector<int>& labels, const Sizes& sizes) {
   std::map<int, Segment> by_label;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (labels[i] > 0) by_label[labels[i]].pixels.push_back(static_cast<int>(i));
   }
   std::vector<Segment> segments;
   for (auto& [label, segment] : by_label) {
-    if (segment.pixels.size() >= min_pixels) segments.push_back(std::move(segment));
+    const int pixels = static_cast<int>(segment.pixels.size());
+    if (pixels >= sizes.min_pixels && pixels <= sizes.max_pixels) segments.push_back(std::move(segment));
   }
   std::sort(segments.begin(), segments.end(), [](const Segment& a, const Segment& b) {
     if (a.pixels.size() != b.pixels.size()) return a.pixels.size() > b.pixels.size();
@@ -77,42 +91,64 @@ std::vector<Segment> collectSegments(const std::vector<int>& labels, std::size_t
   return segments;
 }
 
-void run(Peer peer, const Frame& frame, const Config& config, const PeersConfig& settings, Segmentation& result) {
-  const auto stage = [&](const char* name, auto&& work) {
-    const StageTimer timer(result.report.timings_ms, name);
-    return work();
-  };
-  const Normals normals = stage("normals", [&] { return estimateNormals(frame, config.normals); });
-  result.status = checkSurfaces(frame);
-  if (!result.status.ok()) return;
-  const Result<Table> found = stage("table", [&] { return findTable(frame, normals, config.table); });
-  result.table = found.value;
-  result.status = found.status;
-  if (!found.ok()) return;
-  result.object_points =
-      stage("object_points", [&] { return findObjectPoints(frame, normals, result.table, config.object_points); });
+/// In the place of the front end: what PCL alone has for a table.
+void observePlane(const Frame& frame, const RansacPlaneConfig& config, const Stages& stage, SceneObservation& scene) {
+  Result<PlaneCut> found = stage("plane", [&] { return cutByPlane(frame, config); });
+  scene.status = found.status;
+  if (!scene.status.ok()) return;
+  static_cast<Plane&>(scene.table) = found.value.plane;
+  scene.table.T_table_camera = tableFrame(found.value.plane);
+  scene.object_points = std::move(found.value.points);
+}
 
-  const cv::Mat_<uchar>& mask = result.object_points.mask;
-  int min_pixels = 0;
-  const std::vector<int> labels = stage(toString(peer), [&] {
-    const QuietPcl quiet;
-    switch (peer) {
-      case Peer::kMps:
-        min_pixels = settings.mps.min_pixels;
-        return labelMps(frame, normals, mask, settings.mps);
-      case Peer::kLccp:
-        min_pixels = settings.lccp.min_pixels;
-        return labelLccp(frame, normals, mask, settings.lccp);
-      default:
-        min_pixels = settings.cpc.lccp.min_pixels;
-        return labelCpc(frame, normals, mask, settings.cpc);
-    }
-  });
-  result.segments = collectSegments(labels, static_cast<std::size_t>(min_pixels));
+void observe(Peer peer, const Frame& frame, const Config& config, const PeersConfig& settings, const Stages& stage,
+             SceneObservation& scene) {
+  if (peer == Peer::kEuclidean) {
+    observePlane(frame, settings.euclidean.plane, stage, scene);
+  } else if (peer == Peer::kOrganized) {
+    observePlane(frame, settings.organized.plane, stage, scene);
+  } else {
+    observeTable(frame, config, stage, scene);
+  }
+}
+
+std::vector<int> labelObjects(Peer peer, const Frame& frame, const PeersConfig& settings, const SceneObservation& scene,
+                              Sizes& sizes) {
+  const cv::Mat_<uchar>& mask = scene.object_points.mask;
+  switch (peer) {
+    case Peer::kMps:
+      sizes = {settings.mps.min_pixels};
+      return labelMps(frame, scene.normals, mask, settings.mps);
+    case Peer::kLccp:
+      sizes = {settings.lccp.min_pixels};
+      return labelLccp(frame, scene.normals, mask, settings.lccp);
+    case Peer::kCpc:
+      sizes = {settings.cpc.lccp.min_pixels};
+      return labelCpc(frame, scene.normals, mask, settings.cpc);
+    case Peer::kEuclidean:
+      sizes = {settings.euclidean.min_pixels, settings.euclidean.max_pixels};
+      return labelEuclideanClusters(frame, mask, settings.euclidean);
+    default:
+      sizes = {settings.organized.min_pixels, settings.organized.max_pixels};
+      return labelOrganizedClusters(frame, mask, settings.organized.cluster_distance_m,
+                                    settings.organized.depth_dependent);
+  }
+}
+
+void run(Peer peer, const Frame& frame, const Config& config, const PeersConfig& settings, Segmentation& result) {
+  const ThreadPool pool(config.runtime.threads);
+  const Stages stage(nullptr, result.report);
+  const QuietPcl quiet;
+  observe(peer, frame, config, settings, stage, result);
+  if (!result.status.ok()) return;
+  Sizes sizes{0};
+  const std::vector<int> labels =
+      stage(toString(peer), [&] { return labelObjects(peer, frame, settings, result, sizes); });
+  result.segments = collectSegments(labels, sizes);
   keepMeasured(frame.bridged, result.segments);
   result.labels = labelImage(result.object_points.on_table, frame.bridged, result.segments);
-  result.report.counts.emplace_back("object_points", cv::countNonZero(mask));
-  result.report.counts.emplace_back("segments", result.segments.size());
+  stage.count("object_points", cv::countNonZero(result.object_points.mask));
+  stage.count("segments", result.segments.size());
 }
 
 }  // namespace
@@ -123,8 +159,12 @@ const char* toString(Peer peer) {
       return "mps";
     case Peer::kLccp:
       return "lccp";
-    default:
+    case Peer::kCpc:
       return "cpc";
+    case Peer::kEuclidean:
+      return "euclidean";
+    default:
+      return "organized";
   }
 }
 

@@ -4,6 +4,7 @@
 #include "objectness_segmentation/config.hpp"
 #include "objectness_segmentation/grouping/bottom_up.hpp"
 #include "objectness_segmentation/learning/forest_trainer.hpp"
+#include "objectness_segmentation/scene_observation.hpp"
 
 namespace objectness {
 
@@ -15,12 +16,10 @@ struct TrainingConfig {
   ForestSettings contact{30, 8, 10}, gap{30, 8, 10}, group{45, 9, 15};
 };
 
-/// What a scene with known objects looks like to the bottom-up method.
-struct TrainingScene {
-  Status status;  ///< of the front end: without a table there is nothing to learn
+/// What a scene with known objects looks like to the bottom-up method. Where its status is not ok(), there is nothing
+/// to learn.
+struct TrainingScene : SceneObservation {
   Frame frame;
-  Table table;
-  EdgeMap edges;
   PieceGraph graph;
   std::vector<int> object;       ///< of each piece: the true object with most of its pixels, -1: none
   std::vector<double> purity;    ///< share of the piece's labelled pixels that are this object's

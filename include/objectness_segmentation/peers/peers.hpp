@@ -11,13 +11,21 @@
 namespace objectness {
 
 /// Segmenters of PCL that the package's own method is measured against.
-enum class Peer { kMps, kLccp, kCpc };
+enum class Peer {
+  kMps,
+  kLccp,
+  kCpc,
+  kEuclidean,  ///< PCL alone: RANSAC's plane, then Euclidean clusters
+  kOrganized   ///< PCL alone: RANSAC's plane, then connected components of the image
+};
 
-/// "mps", "lccp", "cpc".
+/// "mps", "lccp", "cpc", "euclidean", "organized".
 const char* toString(Peer peer);
 
-/// Segments the points above the table by one of PCL's own segmenters. Normals, table and the points above it are found
-/// as segment() finds them, so that methods differ only in what comes after.
+/// Segments a frame by one of PCL's own segmenters. kMps, kLccp and kCpc get the points on the table and the normals
+/// that segment() starts from, by the same functions and on as many threads (config.runtime.threads), so that methods
+/// differ only in what comes after. kEuclidean and kOrganized are what is written with PCL alone: of the package they
+/// have nothing, and of `config` nothing counts.
 ///
 /// Segments come largest first; their box, objectness and cues are not set. The same frame and settings give the same
 /// result. Never throws for bad data: the reason is in Segmentation::status, kBadConfig for settings out of range

@@ -114,10 +114,73 @@ struct CpcConfig {
   }
 };
 
+/// What a user of PCL writes without this package to be rid of the table: points between two depths, and of these the
+/// plane that most of them lie on (pcl::PassThrough; pcl::SACSegmentation).
+struct RansacPlaneConfig {
+  double min_depth_m = 0.3;
+  double max_depth_m = 1.5;
+  double plane_distance_m = 0.01;
+  int max_iterations = 1000;
+  bool above_only = true;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("min_depth_m", self.min_depth_m, Range{0, 100}, "points nearer than this (z) are left out");
+    visit("max_depth_m", self.max_depth_m, Range{0.01, 100}, "points farther than this (z) are left out");
+    visit("plane_distance_m", self.plane_distance_m, Range{0.0001, 1}, "points within this distance are of the plane");
+    visit("max_iterations", self.max_iterations, Range{1, 1000000}, "planes that are tried");
+    visit("above_only", self.above_only, "points beyond the plane are left out");
+  }
+};
+
+/// The points off that plane, clustered in space (Rusu, PhD thesis, TU Muenchen 2009; pcl::EuclideanClusterExtraction).
+struct EuclideanConfig {
+  RansacPlaneConfig plane;
+  double voxel_m = 0.005;
+  double cluster_distance_m = 0.01;
+  int min_pixels = 300;
+  int max_pixels = 100000;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    RansacPlaneConfig::fields(self.plane, visit);
+    visit("voxel_m", self.voxel_m, Range{0, 0.1},
+          "side of the voxels that points are averaged in before (pcl::VoxelGrid); 0: every point counts, which takes "
+          "seconds");
+    visit("cluster_distance_m", self.cluster_distance_m, Range{0.0001, 1},
+          "points nearer than this are of one cluster");
+    visit("min_pixels", self.min_pixels, Range{1, 1000000}, "smaller clusters are dropped");
+    visit("max_pixels", self.max_pixels, Range{1, 100000000}, "larger clusters are dropped: walls, floors");
+  }
+};
+
+/// The points off that plane, clustered in the image (pcl::OrganizedConnectedComponentSegmentation by a
+/// pcl::EuclideanClusterComparator).
+struct OrganizedConfig {
+  RansacPlaneConfig plane;
+  double cluster_distance_m = 0.01;
+  bool depth_dependent = false;
+  int min_pixels = 300;
+  int max_pixels = 100000;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    RansacPlaneConfig::fields(self.plane, visit);
+    visit("cluster_distance_m", self.cluster_distance_m, Range{0.0001, 1},
+          "neighbouring pixels nearer than this are of one cluster");
+    visit("depth_dependent", self.depth_dependent,
+          "cluster_distance_m is that at 1 m; it grows with the depth squared");
+    visit("min_pixels", self.min_pixels, Range{1, 1000000}, "smaller clusters are dropped");
+    visit("max_pixels", self.max_pixels, Range{1, 100000000}, "larger clusters are dropped: walls, floors");
+  }
+};
+
 struct PeersConfig {
   MpsConfig mps;
   LccpConfig lccp;
   CpcConfig cpc;
+  EuclideanConfig euclidean;
+  OrganizedConfig organized;
 };
 
 }  // namespace objectness

@@ -20,6 +20,7 @@ struct Task {
 
 bool isFinished(const std::string& report, const Task& task, const SceneResult& result) {
   std::error_code ignored;
+  if (result.state == SceneResult::State::kNotApplicable) return result.made_from == task.made_from;
   return result.state == SceneResult::State::kDone && result.made_from == task.made_from &&
          fs::exists(fs::path(resultPath(report, result.method, result.scene)) / "labels.png", ignored);
 }

@@ -5,6 +5,7 @@
 #include <boost/crc.hpp>
 #include <memory>
 
+#include "objectness_segmentation/evaluation/piece_methods.hpp"
 #include "objectness_segmentation/io/config_yaml.hpp"
 #include "objectness_segmentation/peers/peers.hpp"
 #include "objectness_segmentation/pipeline.hpp"
@@ -18,14 +19,18 @@ Method ownMethod(const std::string& name, const std::string& description, const 
 }
 
 /// Results of different models must not be taken for one another: a model is known by the sum of all it holds.
+std::string modelText(const LearnedObjectness& model) {
+  const std::string text = toJson(model);
+  boost::crc_32_type sum;
+  sum.process_bytes(text.data(), text.size());
+  return "\nmodel: " + model.trained_on + " (checksum " + std::to_string(sum.checksum()) + ")\n";
+}
+
 Method learnedMethod(const std::string& name, const std::string& description, const Config& config,
                      const std::optional<LearnedObjectness>& model) {
   Method method = ownMethod(name, description, config);
   if (!model) return method;
-  const std::string text = toJson(*model);
-  boost::crc_32_type sum;
-  sum.process_bytes(text.data(), text.size());
-  method.settings += "\nmodel: " + model->trained_on + " (checksum " + std::to_string(sum.checksum()) + ")\n";
+  method.settings += modelText(*model);
   method.run = [config, shared = std::make_shared<const LearnedObjectness>(*model)](const Frame& frame) {
     return segment(frame, config, *shared);
   };
@@ -38,6 +43,29 @@ Method peerMethod(Peer peer, const std::string& description, const Config& confi
           description,
           settingsText(peer, PeersConfig{}) + "\n\n" + toYaml(config),
           [peer, config](const Frame& frame) { return segmentWithPeer(peer, frame, config, PeersConfig{}); },
+          false,
+          config.input};
+}
+
+Method oracleMethod(const Config& config) {
+  Method method{"oracle",
+                "Perfect choice: every superpixel piece of the default method goes to its true object.",
+                "perfect choice\n\n" + toYaml(config),
+                {},
+                false,
+                config.input};
+  method.run_knowing = [config](const Frame& frame, const cv::Mat_<ushort>& true_labels) {
+    return segmentByOracle(frame, true_labels, config);
+  };
+  return method;
+}
+
+Method clusteringMethod(const Config& config, const std::optional<LearnedObjectness>& model) {
+  const auto shared = model ? std::make_shared<const LearnedObjectness>(*model) : nullptr;
+  return {"clustering",
+          "Plain correlation clustering of the default method's links, by greedy additive edge contraction.",
+          "correlation clustering\n\n" + toYaml(config) + (model ? modelText(*model) : ""),
+          [config, shared](const Frame& frame) { return segmentByClustering(frame, config, shared.get()); },
           false,
           config.input};
 }
@@ -59,6 +87,8 @@ std::vector<Method> allMethods(Config config, const std::optional<LearnedObjectn
                  config),
       peerMethod(Peer::kOrganized, "PCL alone: passthrough, a plane by RANSAC, connected components of the rest.",
                  config),
+      clusteringMethod(config, model),
+      oracleMethod(config),
   };
 }
 
@@ -67,6 +97,13 @@ std::vector<Method> allMethods(Config config, const std::optional<LearnedObjectn
 std::vector<std::string> methodNames() {
   std::vector<std::string> names;
   for (const Method& method : allMethods({}, {})) names.push_back(method.name);
+  return names;
+}
+
+std::vector<std::string> usualMethodNames() {
+  std::vector<std::string> names = methodNames();
+  const auto unusual = [](const std::string& name) { return name == "oracle" || name == "clustering"; };
+  names.erase(std::remove_if(names.begin(), names.end(), unusual), names.end());
   return names;
 }
 

@@ -23,13 +23,16 @@ Run toRun(const Json& json) {
   json.at("jobs").get_to(run.jobs);
   json.at("shard").get_to(run.shard);
   json.at("shards").get_to(run.shards);
+  run.still = json.value("still", false);
   for (const Json& level : json.at("levels")) {
     run.levels.push_back(level == Json(toString(Level::kObject)) ? Level::kObject : Level::kPart);
   }
   for (const Json& method : json.at("methods")) {
     run.methods.push_back({method.at("name"), method.at("description"), method.at("settings")});
   }
-  for (const Json& scene : json.at("scenes")) run.scenes.push_back({scene.at("name"), scene.at("group")});
+  for (const Json& scene : json.at("scenes")) {
+    run.scenes.push_back({scene.at("name"), scene.at("group"), scene.value("camera", "")});
+  }
   return run;
 }
 
@@ -41,9 +44,12 @@ Status saveRun(const std::string& report, const Run& run) {
   for (const auto& method : run.methods) {
     methods.push_back(Json{{"name", method.name}, {"description", method.description}, {"settings", method.settings}});
   }
-  for (const auto& scene : run.scenes) scenes.push_back(Json{{"name", scene.name}, {"group", scene.group}});
-  const Json json = {{"commit", run.commit}, {"machines", run.machines}, {"jobs", run.jobs},   {"shard", run.shard},
-                     {"shards", run.shards}, {"levels", levels},         {"methods", methods}, {"scenes", scenes}};
+  for (const auto& scene : run.scenes) {
+    scenes.push_back(Json{{"name", scene.name}, {"group", scene.group}, {"camera", scene.camera}});
+  }
+  const Json json = {{"commit", run.commit}, {"machines", run.machines}, {"jobs", run.jobs},
+                     {"shard", run.shard},   {"shards", run.shards},     {"still", run.still},
+                     {"levels", levels},     {"methods", methods},       {"scenes", scenes}};
   return writeFile(runPath(report), json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 

@@ -3,6 +3,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <boost/crc.hpp>
 #include <filesystem>
 #include <new>
@@ -57,10 +58,11 @@ int countObjects(const cv::Mat_<ushort>& annotation) {
   return static_cast<int>(objects.size());
 }
 
-Segmentation runGuarded(const Method& method, const Frame& frame) {
+/// true_labels: empty where there are none.
+Segmentation runGuarded(const Method& method, const Frame& frame, const cv::Mat_<ushort>& true_labels) {
   Segmentation result;
   try {
-    result = method.run(frame);
+    result = method.run_knowing ? method.run_knowing(frame, true_labels) : method.run(frame);
     if (result.status.ok() && result.labels.size() != cv::Size(frame.width(), frame.height())) {
       result.status = Status::error(StatusCode::kInternalError, "returned labels of another size than the frame's");
     }
@@ -86,14 +88,9 @@ class Job {
     if (!loadTruth()) return saveResult(report_, result_);
     const Result<Frame> frame = loadSceneFolder(scene_.folder, {}, method_.input);
     if (!frame.ok()) return fail(frame.status.message);
-    if (frame.value.rectified) {
-      return refuse("its depth image is not rectified, and labels.png of other pixels than the results: rectify both");
-    }
-    if (annotation_.size() != cv::Size(frame.value.width(), frame.value.height())) {
-      return refuse("labels.png is " + sizeText(annotation_.size()) + ", depth.png is " +
-                    sizeText({frame.value.width(), frame.value.height()}) + ": they must be of equal size");
-    }
-    const Segmentation found = runGuarded(method_, frame.value);
+    const std::string misfit = misfitOfTruth(frame.value);
+    if (!misfit.empty()) return refuse(misfit);
+    const Segmentation found = runGuarded(method_, frame.value, annotation_);
     result_.peak_mib = peakMemoryMib();
     result_.timings_ms = found.report.timings_ms;
     for (const auto& [name, value] : found.report.values) {
@@ -101,8 +98,11 @@ class Job {
     }
     if (!found.status.ok()) return fail(found.status.message);
     result_.segments = static_cast<int>(found.segments.size());
+    result_.segment_boxes = segmentBoxes(frame.value, found);
+    result_.up = found.table.T_table_camera.linear().row(2).transpose();
     score(found.labels);
-    if (method_.proposes_boxes) {
+    if (hasLabels()) result_.box_fits = measureBoxFits(frame.value, found, annotation_, true_boxes_);
+    if (method_.proposes_boxes && hasLabels()) {
       const auto boxes = findTrueBoxes(scene_.folder, frame.value, found.table, annotation_);
       if (!boxes.ok()) return refuse(boxes.status.message);
       result_.proposals =
@@ -115,17 +115,56 @@ class Job {
   Status runNothing(const std::string& failure) { return loadTruth() ? fail(failure) : saveResult(report_, result_); }
 
  private:
+  bool hasLabels() const { return !annotation_.empty(); }
+
+  /// Otherwise the result says why.
   bool loadTruth() {
     std::error_code ignored;
     fs::remove_all(resultPath(report_, method_.name, scene_.name), ignored);  // the pictures of an earlier result
-    const Result<cv::Mat> read = readPng((fs::path(scene_.folder) / "labels.png").string(), PngKind::kLabels);
-    if (read.ok()) {
-      annotation_ = read.value;
-    } else {
-      result_.state = SceneResult::State::kUnusable;
-      result_.problem = "labels.png: " + read.status.message;
+    result_.state = SceneResult::State::kUnusable;
+    const Result<std::vector<PictureBox>> boxes = loadPictureBoxes(scene_.folder);
+    if (!boxes.ok()) {
+      result_.problem = boxes.status.message;
+      return false;
     }
-    return read.ok();
+    picture_boxes_ = boxes.value;
+    const fs::path labels = fs::path(scene_.folder) / "labels.png";
+    const bool must_be_there = picture_boxes_.empty() && scene_.needs_truth;
+    if (must_be_there || fs::exists(labels, ignored)) {
+      const Result<cv::Mat> read = readPng(labels.string(), PngKind::kLabels);
+      if (!read.ok()) {
+        result_.problem = "labels.png: " + read.status.message;
+        return false;
+      }
+      annotation_ = read.value;
+    }
+    if (hasLabels()) {
+      const Result<std::vector<TrueBox>> true_boxes = loadVisibleTrueBoxes(scene_.folder, annotation_);
+      if (!true_boxes.ok()) {
+        result_.problem = true_boxes.status.message;
+        return false;
+      }
+      true_boxes_ = true_boxes.value;
+    }
+    const bool told_nothing = method_.run_knowing && !hasLabels();
+    result_.state = told_nothing ? SceneResult::State::kNotApplicable : SceneResult::State::kDone;
+    return !told_nothing;
+  }
+
+  /// Why the truth cannot be compared with what is found in the frame; empty when it can.
+  std::string misfitOfTruth(const Frame& frame) const {
+    const cv::Size size(frame.width(), frame.height());
+    const std::string file = hasLabels() ? "labels.png" : "objects.yaml";
+    if (frame.rectified && (hasLabels() || !picture_boxes_.empty())) {
+      return "its depth image is not rectified, and " + file + " of other pixels than the results: rectify both";
+    }
+    if (hasLabels() && annotation_.size() != size) {
+      return "labels.png is " + sizeText(annotation_.size()) + ", depth.png is " + sizeText(size) +
+             ": they must be of equal size";
+    }
+    const auto outside = [&](const PictureBox& object) { return !cv::Rect({0, 0}, size).contains(object.seed); };
+    const bool any = std::any_of(picture_boxes_.begin(), picture_boxes_.end(), outside);
+    return any ? "objects.yaml: a seed lies outside the picture of " + sizeText(size) : "";
   }
 
   Status refuse(const std::string& problem) {
@@ -137,8 +176,8 @@ class Job {
   Status fail(const std::string& problem) {
     result_.state = SceneResult::State::kFailed;
     result_.problem = problem;
-    score(cv::Mat_<ushort>(annotation_.size(), ushort{0}));
-    if (method_.proposes_boxes) {
+    scoreNothing();
+    if (method_.proposes_boxes && hasLabels()) {
       ProposalFigures none;
       none.objects = countObjects(annotation_);
       result_.proposals = toFigures(none);
@@ -147,17 +186,35 @@ class Job {
   }
 
   void score(const cv::Mat_<ushort>& labels) {
+    if (!picture_boxes_.empty()) result_.picture_boxes = countPictureBoxes(labels, picture_boxes_);
+    if (!hasLabels()) return;
     result_.object = scoreLabels(labels, truthAtLevel(annotation_, Level::kObject));
     result_.part = scoreLabels(labels, truthAtLevel(annotation_, Level::kPart));
+  }
+
+  void scoreNothing() {
+    if (!picture_boxes_.empty()) {
+      result_.picture_boxes = PictureBoxCounts{};
+      result_.picture_boxes->objects = static_cast<int>(picture_boxes_.size());
+    }
+    for (const TrueBox& box : true_boxes_) {
+      result_.box_fits.emplace_back();
+      result_.box_fits.back().object = box.object;
+      result_.box_fits.back().kind = box.kind;
+    }
+    if (!hasLabels()) return;
+    const cv::Mat_<ushort> nothing(annotation_.size(), ushort{0});
+    result_.object = scoreLabels(nothing, truthAtLevel(annotation_, Level::kObject));
+    result_.part = scoreLabels(nothing, truthAtLevel(annotation_, Level::kPart));
   }
 
   Status savePictures(const Frame& frame, const Segmentation& found) const {
     const fs::path folder = resultPath(report_, method_.name, scene_.name), truth = fs::path(report_) / "truth";
     Status status = makeFolder(folder.string());
-    if (status.ok()) status = makeFolder(truth.string());
+    if (status.ok()) status = makeFolder((truth / scene_.name).parent_path().string());
     if (status.ok()) status = writePng((folder / "labels.png").string(), found.labels);
     if (status.ok()) status = writePng((folder / "overlay.png").string(), drawOverlay(frame, found));
-    if (!status.ok()) return status;
+    if (!status.ok() || !hasLabels()) return status;
     // Every method draws it; the same picture, and writing is atomic only within one process: a name for each.
     const fs::path own = truth / (scene_.name + "." + method_.name + ".png"), shared = truth / (scene_.name + ".png");
     status = writePng(own.string(), drawTruth(frame, truthAtLevel(annotation_, Level::kObject)));
@@ -171,7 +228,9 @@ class Job {
   const std::string& report_;
   const Scene& scene_;
   const Method& method_;
-  cv::Mat_<ushort> annotation_;
+  cv::Mat_<ushort> annotation_;            ///< empty where there is no labels.png
+  std::vector<PictureBox> picture_boxes_;  ///< empty where there are none in objects.yaml
+  std::vector<TrueBox> true_boxes_;        ///< of visible objects; empty where there are none in objects.yaml
   SceneResult result_;
 };
 

@@ -21,7 +21,6 @@ bool isThere(const fs::path& path) {
 }
 
 bool isScene(const fs::path& folder) { return isThere(folder / "depth.png") || isThere(folder / "labels.png"); }
-bool hasTruth(const fs::path& folder) { return isThere(folder / "labels.png"); }
 
 std::vector<std::string> cells(const std::string& line) {
   std::vector<std::string> cells;
@@ -72,7 +71,8 @@ fs::path cleanPath(const std::string& path) {
 
 class Finder {
  public:
-  explicit Finder(Groups groups, bool groups_given) : groups_(std::move(groups)), groups_given_(groups_given) {}
+  Finder(Groups groups, bool groups_given, const SceneRules& rules)
+      : groups_(std::move(groups)), groups_given_(groups_given), rules_(rules) {}
 
   Status add(const std::string& given) {
     const fs::path path = cleanPath(given);
@@ -83,15 +83,44 @@ class Finder {
     }
     if (isScene(path)) {
       if (hasTruth(path)) return addScenes({path}, path.parent_path());
-      list_.errors.push_back(given + ": holds no labels.png: without truth it cannot be evaluated");
+      list_.errors.push_back(given + ": holds " + lacking() + ": without truth it cannot be evaluated");
       return {};
     }
     return addDataSet(given, path);
   }
 
-  SceneList take() { return std::move(list_); }
+  SceneList take() {
+    if (!rules_.same_names) return std::move(list_);
+    std::map<std::string, int> uses;
+    for (const Scene& scene : list_.scenes) ++uses[scene.name];
+    std::map<std::string, std::string> folder_of;
+    std::vector<Scene> named;
+    for (Scene& scene : list_.scenes) {
+      if (uses[scene.name] > 1) scene.name = scene.camera + "/" + scene.name;
+      const auto [earlier, is_new] = folder_of.emplace(scene.name, scene.folder);
+      if (is_new) {
+        named.push_back(std::move(scene));
+      } else {
+        addClash(scene.folder, earlier->second);
+      }
+    }
+    list_.scenes = std::move(named);
+    return std::move(list_);
+  }
 
  private:
+  bool hasTruth(const fs::path& folder) const {
+    if (!rules_.needs_truth) return true;
+    return isThere(folder / "labels.png") || (rules_.boxes_are_truth && isThere(folder / "objects.yaml"));
+  }
+
+  std::string lacking() const { return rules_.boxes_are_truth ? "no labels.png and no objects.yaml" : "no labels.png"; }
+
+  void addClash(const std::string& folder, const std::string& earlier) {
+    list_.errors.push_back(folder + ": has the same name as " + earlier +
+                           ": evaluate them apart with different --report");
+  }
+
   Status addDataSet(const std::string& given, const fs::path& path) {
     std::vector<fs::path> scenes;
     std::string skipped;
@@ -109,8 +138,11 @@ class Finder {
         skipped += (skipped.empty() ? "" : ", ") + folder.filename().string();
       }
     }
-    if (!skipped.empty()) list_.notes.push_back(given + ": left out, as they have no labels.png: " + skipped);
-    if (scenes.empty()) list_.errors.push_back(given + ": neither is a scene folder nor holds any with a labels.png");
+    if (!skipped.empty()) list_.notes.push_back(given + ": left out, as they have " + lacking() + ": " + skipped);
+    if (scenes.empty()) {
+      list_.errors.push_back(given + ": neither is a scene folder nor holds any with a labels.png" +
+                             (rules_.boxes_are_truth ? " or objects.yaml" : ""));
+    }
     return addScenes(scenes, path);
   }
 
@@ -125,13 +157,14 @@ class Finder {
     const Groups& groups = groups_given_ ? groups_ : own;
     for (const fs::path& folder : folders) {
       const std::string name = folder.filename().string();
-      const auto [earlier, is_new] = folder_of_.emplace(name, folder.string());
+      // With same_names only a folder given twice is the same scene.
+      const auto [earlier, is_new] = folder_of_.emplace(rules_.same_names ? folder.string() : name, folder.string());
       if (is_new) {
         const auto group = groups.find(name);
-        list_.scenes.push_back({name, folder.string(), group == groups.end() ? "all" : group->second});
+        list_.scenes.push_back({name, folder.string(), group == groups.end() ? "all" : group->second,
+                                folder.parent_path().filename().string(), rules_.needs_truth});
       } else if (earlier->second != folder.string()) {
-        list_.errors.push_back(folder.string() + ": has the same name as " + earlier->second +
-                               ": evaluate them apart with different --report");
+        addClash(folder.string(), earlier->second);
       }
     }
     return {};
@@ -139,20 +172,22 @@ class Finder {
 
   Groups groups_;
   bool groups_given_;
+  SceneRules rules_;
   std::map<std::string, std::string> folder_of_;
   SceneList list_;
 };
 
 }  // namespace
 
-Result<SceneList> findScenes(const std::vector<std::string>& paths, const std::string& groups_file) {
+Result<SceneList> findScenes(const std::vector<std::string>& paths, const std::string& groups_file,
+                             const SceneRules& rules) {
   Groups groups;
   if (!groups_file.empty()) {
     const Result<Groups> read = readGroups(groups_file);
     if (!read.ok()) return Result<SceneList>::error(read.status);
     groups = read.value;
   }
-  Finder finder(groups, !groups_file.empty());
+  Finder finder(groups, !groups_file.empty(), rules);
   for (const std::string& path : paths) {
     const Status status = finder.add(path);
     if (!status.ok()) return Result<SceneList>::error(status);

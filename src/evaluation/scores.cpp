@@ -12,8 +12,6 @@
 namespace objectness::evaluation {
 namespace {
 
-constexpr double kFoundDice = 0.75;
-
 double harmonic(double p, double r) { return p + r > 0 ? 2 * p * r / (p + r) : 0; }
 
 /// Labels of objects to 0, 1, ... in ascending order.
@@ -49,6 +47,14 @@ Overlaps countOverlaps(const cv::Mat_<ushort>& labels, const std::map<ushort, in
     if (object != objects.end() && segment != segments.end()) ++counts.shared(object->second, segment->second);
   }
   return counts;
+}
+
+std::vector<std::pair<int, int>> pairByDice(const Overlaps& counts) {
+  Eigen::MatrixXd dice(counts.shared.rows(), counts.shared.cols());
+  for (int i = 0; i < dice.rows(); ++i) {
+    for (int j = 0; j < dice.cols(); ++j) dice(i, j) = counts.dice(i, j);
+  }
+  return assignMaximum(dice);
 }
 
 void scoreEachObject(const Overlaps& counts, Scores& scores) {
@@ -101,6 +107,22 @@ cv::Mat_<ushort> truthAtLevel(const cv::Mat_<ushort>& annotation, Level level) {
   return truth;
 }
 
+std::vector<ObjectPair> pairObjects(const cv::Mat_<ushort>& labels, const cv::Mat_<ushort>& truth) {
+  cv::Mat_<ushort> counted = labels.clone();
+  counted.setTo(0, truth == 0);
+  const std::map<ushort, int> objects = ranks(truth), segments = ranks(counted);
+  if (objects.empty() || segments.empty()) return {};
+  const Overlaps counts = countOverlaps(counted, segments, truth, objects);
+  std::vector<ushort> object_labels, segment_labels;
+  for (const auto& object : objects) object_labels.push_back(object.first);
+  for (const auto& segment : segments) segment_labels.push_back(segment.first);
+  std::vector<ObjectPair> pairs;
+  for (const auto& [i, j] : pairByDice(counts)) {
+    if (counts.shared(i, j) > 0) pairs.push_back({object_labels[i], segment_labels[j], counts.dice(i, j)});
+  }
+  return pairs;
+}
+
 std::optional<Scores> scoreLabels(const cv::Mat_<ushort>& labels, const cv::Mat_<ushort>& truth) {
   cv::Mat_<ushort> counted = labels.clone();
   counted.setTo(0, truth == 0);
@@ -110,11 +132,7 @@ std::optional<Scores> scoreLabels(const cv::Mat_<ushort>& labels, const cv::Mat_
   if (segments.empty()) return scores;
 
   const Overlaps counts = countOverlaps(counted, segments, truth, objects);
-  Eigen::MatrixXd dice(counts.shared.rows(), counts.shared.cols());
-  for (int i = 0; i < dice.rows(); ++i) {
-    for (int j = 0; j < dice.cols(); ++j) dice(i, j) = counts.dice(i, j);
-  }
-  const auto pairs = assignMaximum(dice);
+  const auto pairs = pairByDice(counts);
   scoreEachObject(counts, scores);
   scorePairs(counts, pairs, scores);
 

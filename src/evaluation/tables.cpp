@@ -2,13 +2,13 @@
 #include "objectness_segmentation/evaluation/tables.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "io/file_access.hpp"
+#include "table_text.hpp"
 
 namespace objectness::evaluation {
 namespace fs = std::filesystem;
@@ -19,26 +19,6 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kAllGroups = "ALL";
 constexpr const char* kNoGroup = "all";
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 ? values[half] : (values[half - 1] + values[half]) / 2;
-}
-
-std::string fixed(double value, int digits) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
-
-/// Names of scenes and groups may hold anything.
-std::string csvCell(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
-}
-
 std::map<std::string, std::string> groupsOf(const Run& run) {
   std::map<std::string, std::string> groups;
   for (const auto& scene : run.scenes) groups[scene.name] = scene.group;
@@ -47,24 +27,13 @@ std::map<std::string, std::string> groupsOf(const Run& run) {
 
 /// Collects the scenes of one row.
 struct Sums {
-  Scores scores = zero();
-  int scenes = 0;
+  MeanScores scores;
   std::vector<double> ms;
   double peak_mib = 0;
   std::vector<Figures> proposals, gaps;
 
-  static Scores zero() {
-    Scores scores;
-    Scores::fields(scores, [](const char*, double& value) { value = 0; });
-    return scores;
-  }
   void add(const SceneResult& result, Level level) {
-    const Scores& more = *result.scores(level);
-    std::vector<double> values;
-    Scores::fields(more, [&](const char*, double value) { values.push_back(value); });
-    auto next = values.begin();
-    Scores::fields(scores, [&](const char*, double& value) { value += *next++; });
-    ++scenes;
+    scores.add(*result.scores(level));
     if (const auto total = result.totalMs()) ms.push_back(*total);
     peak_mib = std::max(peak_mib, result.peak_mib);
     if (level != Level::kObject) return;
@@ -72,8 +41,9 @@ struct Sums {
     gaps.push_back(result.gaps);
   }
   Figures columns() const {
-    Figures columns{{"scenes", scenes}};
-    Scores::fields(scores, [&](const char* name, double sum) { columns.emplace_back(name, sum / scenes); });
+    Figures columns{{"scenes", scores.count()}};
+    const Scores means = scores.mean();
+    Scores::fields(means, [&](const char* name, double mean) { columns.emplace_back(name, mean); });
     columns.emplace_back("ms", ms.empty() ? 0 : median(ms));
     columns.emplace_back("peak_mib", peak_mib);
     return columns;
@@ -99,12 +69,12 @@ std::string toCsv(const Run& run, const std::vector<SceneResult>& results) {
         if (result.method != method.name || !result.scores(level)) continue;
         csv << method.name << ',' << toString(level) << ',' << csvCell(result.scene) << ','
             << csvCell(groups.at(result.scene)) << ',' << (result.problem.empty() ? "done" : "failed");
-        Scores::fields(*result.scores(level), [&](const char*, double value) { csv << ',' << fixed(value, 5); });
-        csv << ',' << result.segments << ',' << fixed(result.totalMs().value_or(0), 1) << ','
-            << fixed(result.peak_mib, 1);
+        Scores::fields(*result.scores(level), [&](const char*, double value) { csv << ',' << fixedText(value, 5); });
+        csv << ',' << result.segments << ',' << fixedText(result.totalMs().value_or(0), 1) << ','
+            << fixedText(result.peak_mib, 1);
         const bool has_proposals = level == Level::kObject && !result.proposals.empty();
         for (const auto& column : has_proposals ? result.proposals : proposals) {
-          csv << ',' << (has_proposals ? fixed(column.second, 5) : "");
+          csv << ',' << (has_proposals ? fixedText(column.second, 5) : "");
         }
         csv << '\n';
       }
@@ -129,7 +99,7 @@ std::vector<SummaryRow> summarize(const Run& run, const std::vector<SceneResult>
         of_all.add(result, level);
       }
       for (const auto& [group, sums] : of_group) rows.push_back(sums.row(method.name, level, group));
-      if (of_all.scenes > 0) rows.push_back(of_all.row(method.name, level, kAllGroups));
+      if (of_all.scores.count() > 0) rows.push_back(of_all.row(method.name, level, kAllGroups));
     }
   }
   return rows;
@@ -138,10 +108,7 @@ std::vector<SummaryRow> summarize(const Run& run, const std::vector<SceneResult>
 std::string toText(const std::vector<SummaryRow>& rows) {
   if (rows.empty()) return "";
   std::ostringstream text;
-  const auto pad = [&](const std::string& cell, std::size_t width, bool left) {
-    const std::string space(cell.size() < width ? width - cell.size() : 0, ' ');
-    text << (left ? cell + space : space + cell) << ' ';
-  };
+  const auto pad = [&](const std::string& cell, std::size_t width, bool left) { writeCell(text, cell, width, left); };
   constexpr std::size_t kName = 10, kNumber = 6;
   for (const char* name : {"method", "level", "group"}) pad(name, kName, true);
   for (const auto& column : rows.front().columns) pad(column.first, kNumber, false);
@@ -149,15 +116,15 @@ std::string toText(const std::vector<SummaryRow>& rows) {
   for (const SummaryRow& row : rows) {
     for (const std::string& name : {row.method, row.level, row.group}) pad(name, kName, true);
     for (const auto& [name, value] : row.columns) {
-      pad(fixed(value, name == "scenes" || name == "ms" || name == "peak_mib" ? 0 : 3), std::max(kNumber, name.size()),
-          false);
+      pad(fixedText(value, name == "scenes" || name == "ms" || name == "peak_mib" ? 0 : 3),
+          std::max(kNumber, name.size()), false);
     }
     text << '\n';
   }
   for (const SummaryRow& row : rows) {
     if (row.group != kAllGroups || row.gaps.empty()) continue;
     text << row.method << ", short of the best choice at most:";
-    for (const auto& [name, value] : row.gaps) text << ' ' << name << ' ' << fixed(value, 5);
+    for (const auto& [name, value] : row.gaps) text << ' ' << name << ' ' << fixedText(value, 5);
     text << '\n';
   }
   return text.str();

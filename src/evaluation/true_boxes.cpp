@@ -5,20 +5,15 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
-#include <opencv2/imgproc.hpp>
 #include <set>
 
 #include "io/file_access.hpp"
 #include "io/yaml_text.hpp"
-#include "objectness_segmentation/common/angles.hpp"
 #include "objectness_segmentation/common/true_labels.hpp"
+#include "visible_boxes.hpp"
 
 namespace objectness::evaluation {
 namespace {
-
-constexpr float kNeighbor_m = 0.02f;  // pixels of one surface are no farther apart
-constexpr int kMinNeighbors = 4;      // of eight; a pixel with fewer hangs between surfaces
 
 std::vector<double> readNumbers(const YAML::Node& node, std::size_t count) {
   const auto numbers = node.as<std::vector<double>>();
@@ -29,6 +24,7 @@ std::vector<double> readNumbers(const YAML::Node& node, std::size_t count) {
 TrueBox readBox(const YAML::Node& node) {
   TrueBox truth;
   truth.object = trueObject(node["label"].as<int>());
+  if (node["kind"]) truth.kind = node["kind"].as<std::string>();
   const auto size = readNumbers(node["size_m"], 3), at = readNumbers(node["T_camera_box"]["position"], 3),
              q = readNumbers(node["T_camera_box"]["orientation_xyzw"], 4);
   truth.box.size_m = Eigen::Vector3d(size.data());
@@ -41,36 +37,12 @@ TrueBox readBox(const YAML::Node& node) {
   return truth;
 }
 
-/// The trueObject() of each pixel that lies on its surface, -1 of all others.
-cv::Mat_<int> surfacePixels(const Frame& frame, const cv::Mat_<ushort>& labels) {
-  cv::Mat_<int> objects(labels.size(), -1);
-  for (int v = 1; v + 1 < labels.rows; ++v) {
-    for (int u = 1; u + 1 < labels.cols; ++u) {
-      const Eigen::Vector3f& p = frame.points[v * labels.cols + u];
-      const int object = trueObject(labels(v, u));
-      int neighbors = -1;  // the pixel itself
-      for (int dv = -1; dv <= 1; ++dv) {
-        for (int du = -1; du <= 1; ++du) {
-          const Eigen::Vector3f& q = frame.points[(v + dv) * labels.cols + u + du];
-          neighbors += trueObject(labels(v + dv, u + du)) == object && (p - q).norm() < kNeighbor_m;
-        }
-      }
-      if (neighbors >= kMinNeighbors) objects(v, u) = object;
-    }
-  }
-  return objects;
-}
-
-OrientedBox boxAround(const std::vector<cv::Point2f>& footprint, double top_m,
-                      const Eigen::Isometry3d& T_table_camera) {
-  const cv::RotatedRect rectangle = cv::minAreaRect(footprint);
-  Eigen::Isometry3d T_table_box = Eigen::Isometry3d::Identity();
-  T_table_box.translation() << rectangle.center.x, rectangle.center.y, 0.5 * top_m;
-  T_table_box.rotate(Eigen::AngleAxisd(rectangle.angle * kDegree, Eigen::Vector3d::UnitZ()));
-  return {T_table_camera.inverse() * T_table_box, {rectangle.size.width, rectangle.size.height, top_m}};
-}
-
 }  // namespace
+
+bool TrueBox::isRound() const {
+  static const std::set<std::string> kRound{"cylinder", "cone", "sphere", "bowl", "bottle"};
+  return kRound.count(kind) > 0;
+}
 
 Result<std::vector<TrueBox>> loadTrueBoxes(const std::string& scene_folder) {
   Result<std::vector<TrueBox>> result;
@@ -89,36 +61,28 @@ Result<std::vector<TrueBox>> loadTrueBoxes(const std::string& scene_folder) {
 }
 
 std::vector<TrueBox> fitTrueBoxes(const Frame& frame, const Table& table, const cv::Mat_<ushort>& labels) {
-  const cv::Mat_<int> objects = surfacePixels(frame, labels);
-  std::map<int, std::vector<cv::Point2f>> footprints;
-  std::map<int, double> tops_m;
-  for (int i = 0; i < frame.size(); ++i) {
-    const int object = objects(i / frame.width(), i % frame.width());
-    if (object < 0) continue;
-    const Eigen::Vector3d p = table.T_table_camera * frame.points[i].cast<double>();
-    footprints[object].emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()));
-    tops_m[object] = std::max(tops_m[object], p.z());
-  }
+  cv::Mat_<int> objects(labels.size());
+  std::transform(labels.begin(), labels.end(), objects.begin(), [](ushort label) { return trueObject(label); });
   std::vector<TrueBox> boxes;
-  for (const auto& [object, footprint] : footprints) {
-    if (tops_m[object] > 0) boxes.push_back({object, boxAround(footprint, tops_m[object], table.T_table_camera)});
-  }
+  for (const auto& [object, box] : visibleBoxes(frame, table, objects, BoxBase::kTable)) boxes.push_back({object, box});
   return boxes;
 }
 
-Result<std::vector<TrueBox>> findTrueBoxes(const std::string& scene_folder, const Frame& frame, const Table& table,
-                                           const cv::Mat_<ushort>& labels) {
+Result<std::vector<TrueBox>> loadVisibleTrueBoxes(const std::string& scene_folder, const cv::Mat_<ushort>& labels) {
   Result<std::vector<TrueBox>> result = loadTrueBoxes(scene_folder);
-  if (!result.ok()) return result;
-  if (result.value.empty()) {
-    result.value = fitTrueBoxes(frame, table, labels);
-    return result;
-  }
   std::set<int> seen;
   for (const ushort label : labels) seen.insert(trueObject(label));
   const auto hidden = [&](const TrueBox& truth) { return seen.count(truth.object) == 0; };
   result.value.erase(std::remove_if(result.value.begin(), result.value.end(), hidden), result.value.end());
   return result;
+}
+
+Result<std::vector<TrueBox>> findTrueBoxes(const std::string& scene_folder, const Frame& frame, const Table& table,
+                                           const cv::Mat_<ushort>& labels) {
+  const Result<std::vector<TrueBox>> all = loadTrueBoxes(scene_folder);
+  if (!all.ok()) return all;
+  if (all.value.empty()) return {{}, fitTrueBoxes(frame, table, labels)};
+  return loadVisibleTrueBoxes(scene_folder, labels);
 }
 
 }  // namespace objectness::evaluation

@@ -11,8 +11,11 @@
 #include "evaluate_options.hpp"
 #include "evaluate_progress.hpp"
 #include "objectness_segmentation/common/frame_memory.hpp"
+#include "objectness_segmentation/evaluation/box_tables.hpp"
+#include "objectness_segmentation/evaluation/camera_tables.hpp"
 #include "objectness_segmentation/evaluation/experiment.hpp"
 #include "objectness_segmentation/evaluation/run.hpp"
+#include "objectness_segmentation/evaluation/stability.hpp"
 #include "objectness_segmentation/evaluation/tables.hpp"
 
 namespace {
@@ -61,16 +64,29 @@ void writePictures(const std::string& report) {
 ExitStatus writeReport(const std::string& report, const Run& run, const std::vector<SceneResult>& results) {
   Status status = saveRun(report, run);
   if (status.ok()) status = writeTables(report, run, results);
+  if (status.ok()) status = writeCameraTables(report, run, results);
+  if (status.ok()) status = writeBoxTables(report, run, results);
   if (!status.ok()) return fail(status.message);
   const std::vector<SummaryRow> rows = summarize(run, results);
-  std::cout << toText(rows) << std::flush;
+  const std::vector<CameraRow> cameras = summarizeCameras(run, results);
+  Result<std::vector<StabilityRow>> stability;
+  if (run.still) stability = summarizeStability(report, run, results);
+  if (stability.ok() && run.still) stability.status = writeStability(report, stability.value);
+  if (!stability.ok()) return fail(stability.status.message);
+  std::cout << toText(rows) << toText(cameras) << toText(summarizeBoxes(run, results)) << toText(stability.value)
+            << std::flush;
   writePictures(report);
   std::error_code ignored;
   const char* file = fs::exists(fs::path(report) / "report.html", ignored) ? "report.html" : "summary.json";
   std::cout << "Report: " << (fs::path(report) / file).string() << std::endl;
-  const bool complete = !rows.empty() && std::all_of(results.begin(), results.end(), [](const SceneResult& result) {
-    return result.state == SceneResult::State::kDone;
-  });
+  const bool scored =
+      !stability.value.empty() || std::any_of(results.begin(), results.end(), [](const SceneResult& result) {
+        return result.object || result.part || result.picture_boxes;
+      });
+  const bool complete =
+      scored && std::all_of(results.begin(), results.end(), [](const SceneResult& result) {
+        return result.state == SceneResult::State::kDone || result.state == SceneResult::State::kNotApplicable;
+      });
   return complete ? kAllDone : kSomeFailed;
 }
 
@@ -83,20 +99,25 @@ std::vector<Scene> ofShard(const std::vector<Scene>& scenes, int shard, int shar
 }
 
 ExitStatus evaluate(const EvaluateOptions& options) {
-  const Result<SceneList> list = findScenes(options.inputs, options.groups_file);
+  SceneRules rules;
+  rules.boxes_are_truth = rules.same_names = true;
+  rules.needs_truth = !options.still;
+  const Result<SceneList> list = findScenes(options.inputs, options.groups_file, rules);
   if (!list.ok()) return fail(list.status.message);
   for (const std::string& note : list.value.notes) printLine(note);
   for (const std::string& error : list.value.errors) printLine(error);
   std::vector<Scene> scenes = list.value.scenes;
-  if (scenes.empty()) return fail("no scenes to evaluate: name scene folders with labels.png, or folders of such");
+  if (scenes.empty())
+    return fail("no scenes to evaluate: name scene folders with labels.png or objects.yaml, or folders of such");
   std::sort(scenes.begin(), scenes.end(), [](const Scene& a, const Scene& b) { return a.name < b.name; });
   scenes = ofShard(scenes, options.shard, options.shards);
 
   const Result<std::vector<Method>> methods = makeMethods(options.methods, options.config, options.model);
   if (!methods.ok()) return fail(methods.status.message);
   Run run{commit(), {describeMachine()}, options.jobs, options.shard, options.shards, options.levels, {}, {}};
+  run.still = options.still;
   for (const Method& m : methods.value) run.methods.push_back({m.name, m.description, m.settings});
-  for (const Scene& scene : scenes) run.scenes.push_back({scene.name, scene.group});
+  for (const Scene& scene : scenes) run.scenes.push_back({scene.name, scene.group, scene.camera});
 
   Result<std::vector<SceneResult>> results;
   {

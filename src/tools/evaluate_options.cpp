@@ -21,8 +21,13 @@ constexpr const char* kIntroduction =
     "  evaluate [OPTION...] --report DIR SCENES...\n"
     "  evaluate merge --report DIR SHARD_DIR...\n"
     "\n"
-    "SCENES are scene folders with truth (labels.png) or folders of such. DIR gets report.html, summary.json,\n"
-    "scenes.csv, plots/ and all results (results/METHOD/SCENE.json, SCENE/labels.png, SCENE/overlay.png).\n"
+    "SCENES are scene folders with truth, or data sets: folders of such. Truth is labels.png, or objects.yaml with\n"
+    "boxes in the picture, or both. Scenes of one name in different data sets are called DATA_SET/NAME.\n"
+    "DIR gets report.html, summary.json, scenes.csv, cameras.csv (a row a data set), picture_boxes.csv, boxes.csv\n"
+    "and objects.csv (boxes in space, of simulated scenes), plots/ and all results (results/METHOD/SCENE.json,\n"
+    "SCENE/labels.png, SCENE/overlay.png). The method oracle gives every piece of the default method to its true\n"
+    "object: what perfect grouping would reach. clustering is correlation clustering of the default method's links,\n"
+    "to compare its choice with.\n"
     "What DIR holds already of the same commit, settings and scene is not computed again, so an interrupted run\n"
     "goes on where it was. `merge` joins the reports that were computed with --shard into one.\n"
     "\n";
@@ -54,7 +59,8 @@ po::options_description shownOptions() {
   po::options_description options("Options");
   auto add = options.add_options();
   const auto list = [] { return po::value<std::vector<std::string>>()->composing(); };
-  const std::string methods = "a method, may be repeated: " + joined(methodNames()) + " (default: all)";
+  const std::string methods =
+      "a method, may be repeated: " + joined(methodNames()) + " (default: all but the last two)";
   add("method", list()->value_name("NAME"), methods.c_str());
   add("level", list()->value_name("object|part"),
       "what counts as one object of the truth: whole objects or their annotated parts; may be repeated (default: "
@@ -65,6 +71,10 @@ po::options_description shownOptions() {
       "scenes at a time; compare milliseconds only of runs with 1");
   add("threads", po::value<int>()->value_name("N")->default_value(2),
       "worker threads of a method, 0: one per processor");
+  add("still", po::bool_switch(),
+      "each data set is a sequence of frames of a scene that stands still, by name: report how much results differ "
+      "from "
+      "frame to frame; truth need not be there");
   add("shard", po::value<std::string>()->value_name("K/N"), "only every N-th scene, beginning with the K-th (1..N)");
   add("groups", po::value<std::string>()->value_name("FILE.csv"),
       "groups of scenes (columns scene, group); default: groups.csv in the folder of the scenes, or "
@@ -89,7 +99,8 @@ std::string readPlaces(const po::variables_map& values, EvaluateOptions& options
   options.merge = !options.inputs.empty() && options.inputs.front() == "merge";
   if (options.merge) {
     options.inputs.erase(options.inputs.begin());
-    for (const char* name : {"method", "level", "config", "set", "model", "jobs", "threads", "shard", "groups"}) {
+    for (const char* name :
+         {"method", "level", "config", "set", "model", "jobs", "threads", "still", "shard", "groups"}) {
       if (values.count(name) && !values[name].defaulted()) {
         return std::string("--") + name + ": merge takes it from the shards";
       }
@@ -101,7 +112,7 @@ std::string readPlaces(const po::variables_map& values, EvaluateOptions& options
 
 std::string readMethodsAndLevels(const po::variables_map& values, EvaluateOptions& options) {
   options.methods = listOf(values, "method");
-  if (options.methods.empty()) options.methods = methodNames();
+  if (options.methods.empty()) options.methods = usualMethodNames();
   const auto methods = makeMethods(options.methods, {});
   if (!methods.ok()) return "--method: " + methods.status.message;
   for (const std::string& level : listOf(values, "level")) {
@@ -125,7 +136,9 @@ std::string readNumber(const po::variables_map& values, const std::string& name,
 std::string readWork(const po::variables_map& values, EvaluateOptions& options) {
   std::string problem = readNumber(values, "jobs", 1, kMostJobs, options.jobs);
   if (problem.empty()) problem = readNumber(values, "threads", 0, kMostThreads, options.threads);
+  options.still = values["still"].as<bool>();
   const std::string shard = textOf(values, "shard");
+  if (problem.empty() && options.still && values.count("shard")) problem = "--still: needs all frames, not a --shard";
   if (problem.empty() && values.count("shard") && !parseShard(shard, options.shard, options.shards)) {
     problem = "--shard " + shard + ": must be K/N with 1 <= K <= N, as 2/8";
   }

@@ -23,6 +23,8 @@ from PIL import Image
 
 WORST_SCENES = 10
 SCORES = ["P", "R", "OvP", "OvR", "OvF", "BdP", "BdR", "BdF", "F75", "extra", "F_os", "F_us", "WO"]
+CAMERA_SCORES = ["P", "R", "OvF", "BdF", "F75", "extra"]
+PICTURE_BOXES = ["objects", "found", "tight", "merged", "segments", "stray"]
 MEANING = {
     "P": "mean over objects of shared / segment pixels, of the segment that shares most pixels with the object",
     "R": "mean over objects of shared / object pixels",
@@ -60,8 +62,17 @@ class Report:
             self.summary = json.load(f)
         with open(self.path("scenes.csv"), newline="") as f:
             self.rows = list(csv.DictReader(f))
+        self.cameras = self.table("cameras.csv")
+        self.boxes = self.table("boxes.csv")
         self.methods = [method["name"] for method in self.run["methods"]]
         self.levels = self.run["levels"]
+
+    def table(self, name):
+        """The rows of a table; none in a report of an earlier version."""
+        if not os.path.exists(self.path(name)):
+            return []
+        with open(self.path(name), newline="") as f:
+            return list(csv.DictReader(f))
 
     def path(self, *parts):
         return os.path.join(self.folder, *parts)
@@ -181,6 +192,42 @@ def score_tables(report):
     return "\n".join(parts) + "<h3>Columns</h3><p>Means over scenes.</p><dl>%s</dl>" % meaning
 
 
+def shortened(text):
+    """Fractions of tables with three digits."""
+    return "%.3f" % float(text) if "." in text else text
+
+
+def camera_table(report):
+    """A row a method and data set; those of its groups stand before it."""
+    if not report.cameras:
+        return ""
+    columns = ["scenes"] + CAMERA_SCORES + PICTURE_BOXES + ["ms"]
+    rows = []
+    for row in report.cameras:
+        camera = row["camera"] + (": " + row["group"] if row["group"] else "")
+        rows.append([row["method"], camera] + [shortened(row[column]) for column in columns])
+    note = ("<p>A camera is a data set. Scores are means over its scenes with labels, object level. Of scenes with boxes "
+            "in the picture: objects, those found (bounding boxes of object and segment overlap by 0.5) and tight (by "
+            "0.7), those merged (in a segment with another object), segments, and stray ones (that overlap no object by "
+            "0.1). ms: median.</p>")
+    return "<h2>By camera</h2>" + note + table(["method", "camera"] + columns, rows)
+
+
+def box_table(report):
+    """Boxes in space, where objects.yaml has them."""
+    if not report.boxes:
+        return ""
+    columns = [column for column in report.boxes[0] if column not in ("method", "by", "name")]
+    rows = [[row["method"], "ALL" if row["by"] == "all" else row["by"] + " " + row["name"]] +
+            [shortened(row[column]) for column in columns] for row in report.boxes]
+    note = ("<p>The boxes of segments against the true ones. segmented: objects whose segment has a Dice over 0.75; "
+            "IoU_all: mean intersection over union of all objects, 0 where there is no segment. The rest is of those "
+            "segmented: IoU, share over 0.5 and 0.7, the same of the upright box around the visible points, errors of "
+            "the centre, the yaw (none of round things), the longer, the shorter and the upright side, and the share "
+            "of objects of which all sides are within 10 mm.</p>")
+    return "<h2>Boxes in space</h2>" + note + table(["method", "of"] + columns, rows)
+
+
 def proposal_tables(report):
     parts = []
     for method in report.methods:
@@ -231,7 +278,7 @@ def problem_list(report):
     problems = []
     for method in report.methods:
         for result in report.results(method):
-            if result["state"] != "done":
+            if result["state"] in ("failed", "unusable"):
                 counted = "counts as nothing found" if result["state"] == "failed" else "not counted"
                 problems.append([result["scene"], method, result["problem"], counted])
     if not problems:
@@ -272,8 +319,8 @@ def write_html(report, plots):
     text = "\n".join([
         "<!DOCTYPE html>", '<html lang="en"><head><meta charset="utf-8"><title>Evaluation</title>',
         "<style>%s</style></head><body>" % STYLE, "<h1>Evaluation</h1>", table(["evaluated", ""], origin),
-        score_tables(report), '<h2>Plots</h2><div class="plots">%s</div>' % pictures,
-        proposal_tables(report), stage_table(report), problem_list(report), worst_scenes(report),
+        camera_table(report), score_tables(report), '<h2>Plots</h2><div class="plots">%s</div>' % pictures,
+        box_table(report), proposal_tables(report), stage_table(report), problem_list(report), worst_scenes(report),
         "<h2>Methods and their settings</h2>", settings, "</body></html>", ""])
     unfinished = report.path("report.html.part")
     with open(unfinished, "w", encoding="utf-8") as f:

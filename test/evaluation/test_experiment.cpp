@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <filesystem>
 #include <new>
 
 #include "fixtures/labelled_scene.hpp"
@@ -12,6 +13,7 @@ using namespace objectness;
 using namespace objectness::evaluation;
 using namespace objectness_test;
 using State = SceneResult::State;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -120,4 +122,57 @@ TEST_F(Experiment, ASceneWithoutObjectsIsNotScored) {
   const auto results = run({method("good", oneSegment)});
   EXPECT_EQ(results[0].state, State::kDone);
   EXPECT_FALSE(results[0].object.has_value());
+}
+
+TEST_F(Experiment, BoxesInThePictureAreTruthEnough) {
+  fs::remove(scene_.folder + "/labels.png");
+  writeBytes(scene_.folder + "/objects.yaml",
+             "objects:\n- {seed: [9, 9], box: [0, 0, 320, 240]}\n- {seed: [99, 99], box: [90, 90, 110, 110]}\n");
+  Method knowing = method("oracle", {});
+  knowing.run_knowing = [](const Frame& frame, const cv::Mat_<ushort>&) { return oneSegment(frame); };
+  const std::vector<Method> methods{method("good", oneSegment), knowing,
+                                    method("throws", [](const Frame&) -> Segmentation { throw std::bad_alloc(); })};
+  const auto results = run(methods);
+  EXPECT_EQ(results[0].state, State::kDone);
+  EXPECT_FALSE(results[0].object.has_value());
+  ASSERT_TRUE(results[0].picture_boxes.has_value());
+  EXPECT_EQ(results[0].picture_boxes->found, 1);
+  EXPECT_EQ(results[0].picture_boxes->merged, 1);
+  EXPECT_EQ(results[1].state, State::kNotApplicable) << "it is told labels, and there are none";
+  EXPECT_FALSE(results[1].picture_boxes.has_value());
+  EXPECT_EQ(results[2].state, State::kFailed);
+  EXPECT_EQ(results[2].picture_boxes->objects, 2);
+  EXPECT_EQ(results[2].picture_boxes->found, 0);
+  run(methods);
+  EXPECT_EQ(computed_, 1) << "only what failed is tried again";
+
+  for (const char* bad : {"objects:\n- {seed: [320, 9], box: [0, 0, 320, 240]}\n", "objects:\n- {box: [1]}\n"}) {
+    writeBytes(scene_.folder + "/objects.yaml", bad);
+    const auto refused = run({method("good", oneSegment)});
+    EXPECT_EQ(refused[0].state, State::kUnusable);
+    EXPECT_NE(refused[0].problem.find("objects.yaml"), std::string::npos) << refused[0].problem;
+  }
+}
+
+TEST_F(Experiment, AMethodThatIsToldTheTruthGetsIt) {
+  Method knowing = method("oracle", {});
+  knowing.run_knowing = [](const Frame& frame, const cv::Mat_<ushort>& true_labels) {
+    Segmentation result = oneSegment(frame);
+    result.labels.setTo(0, true_labels != 20);
+    return result;
+  };
+  const auto results = run({knowing});
+  EXPECT_EQ(results[0].state, State::kDone) << results[0].problem;
+  EXPECT_NEAR(results[0].object->found_75, 1.0 / 3, 1e-12);
+  EXPECT_EQ(results[0].object->extra, 0);
+}
+
+TEST_F(Experiment, ScenesInFoldersOfTheirDataSet) {
+  scene_.name = "set/scene";
+  const auto results = run({method("good", oneSegment)});
+  EXPECT_EQ(results[0].state, State::kDone);
+  for (const char* file : {"results/good/set/scene.json", "results/good/set/scene/labels.png", "truth/set/scene.png"}) {
+    EXPECT_TRUE(fs::exists(folder_ / (std::string("report/") + file))) << file;
+  }
+  EXPECT_EQ(loadResult(folder_ / "report", "good", "set/scene").value.object->recall, 1);
 }

@@ -52,3 +52,17 @@ TEST(Methods, SettingsTellModelsApart) {
   EXPECT_EQ(makeMethods({"paper"}, {}, model(0.5f)).value[0].settings, makeMethods({"paper"}, {}).value[0].settings)
       << "it has no use for one";
 }
+
+TEST(Methods, TheOracleAndClusteringAreRunWhenAskedFor) {
+  const std::vector<std::string> all = methodNames(), usual = usualMethodNames();
+  EXPECT_EQ(usual, std::vector<std::string>(all.begin(), all.end() - 2));
+  EXPECT_EQ((std::vector<std::string>{"clustering", "oracle"}), std::vector<std::string>(all.end() - 2, all.end()));
+  const auto methods = makeMethods({"oracle", "clustering"}, {});
+  ASSERT_TRUE(methods.ok());
+  EXPECT_TRUE(methods.value[0].run_knowing);
+  EXPECT_FALSE(methods.value[1].run_knowing);
+  const auto model = objectness_test::leafModel(0.5f, 0.5f, 0.5f);
+  const auto learned = makeMethods({"oracle", "clustering"}, {}, model);
+  EXPECT_EQ(learned.value[0].settings, methods.value[0].settings) << "it has no use for one";
+  EXPECT_NE(learned.value[1].settings, methods.value[1].settings);
+}

@@ -70,3 +70,35 @@ TEST_F(Scenes, GroupFilesThatCannotBeUsed) {
   EXPECT_NE(findScenes({}, folder_ / "bad.csv").status.message.find("must name the columns scene and group"),
             std::string::npos);
 }
+
+TEST_F(Scenes, WithBoxesAloneWhereBoxesAreTruth) {
+  writeBytes(folder_ / "kitchen/c/depth.png", "");
+  writeBytes(folder_ / "kitchen/c/objects.yaml", "");
+  EXPECT_EQ(find(folder_ / "kitchen").scenes.size(), 2u);
+  const SceneList list = findScenes({folder_ / "kitchen"}, "", {true, false}).value;
+  ASSERT_EQ(list.scenes.size(), 3u);
+  EXPECT_EQ(list.scenes[2].name, "c");
+  EXPECT_EQ(list.scenes[2].camera, "kitchen");
+  ASSERT_EQ(list.notes.size(), 1u);
+  EXPECT_NE(list.notes[0].find("no labels.png and no objects.yaml: bare"), std::string::npos) << list.notes[0];
+  EXPECT_EQ(findScenes({folder_ / "kitchen/c"}, "", {true, false}).value.scenes.size(), 1u);
+  EXPECT_NE(findScenes({folder_ / "kitchen/bare"}, "", {true, false}).value.errors.at(0).find("and no objects.yaml"),
+            std::string::npos);
+}
+
+TEST_F(Scenes, OfOneNameAreToldApartByTheirDataSets) {
+  writeBytes(folder_ / "garden/a/labels.png", "");
+  writeBytes(folder_ / "other/garden/a/labels.png", "");
+  const SceneRules rules{false, true};
+  const SceneList list = findScenes({folder_ / "kitchen", folder_ / "garden", folder_ / "kitchen/a/"}, "", rules).value;
+  ASSERT_EQ(list.scenes.size(), 3u);
+  EXPECT_TRUE(list.errors.empty());
+  EXPECT_EQ(list.scenes[0].name, "kitchen/a");
+  EXPECT_EQ(list.scenes[1].name, "b") << "where nothing is to be told apart names stay";
+  EXPECT_EQ(list.scenes[2].name, "garden/a");
+  EXPECT_EQ(list.scenes[2].camera, "garden");
+  const SceneList same = findScenes({folder_ / "garden", folder_ / "other/garden"}, "", rules).value;
+  EXPECT_EQ(same.scenes.size(), 1u);
+  ASSERT_EQ(same.errors.size(), 1u);
+  EXPECT_NE(same.errors[0].find("has the same name as"), std::string::npos);
+}

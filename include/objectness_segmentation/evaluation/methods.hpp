@@ -22,13 +22,19 @@ struct Method {
   std::function<Segmentation(const Frame&)> run;
   bool proposes_boxes = false;  ///< fills Segmentation::proposals
   InputConfig input = {};       ///< how its frames are read
+  /// In the place of `run`, of a method that is told the truth: true_labels as in labels.png, of the frame's size.
+  std::function<Segmentation(const Frame&, const cv::Mat_<ushort>& true_labels)> run_knowing = {};
 };
 
 /// The names makeMethods() knows, the default one first.
 std::vector<std::string> methodNames();
 
+/// Those of them that are ways to segment: without `oracle` and `clustering`, which tell what others are worth.
+std::vector<std::string> usualMethodNames();
+
 /// Methods by name. Each runs with `config` but for what makes it that method (grouping.enabled,
-/// segments.follow_superpixels); `objectness` with `model`, none: the built-in one. kBadConfig: an unknown name.
+/// segments.follow_superpixels); `objectness`, `oracle` and `clustering` with `model`, none: the built-in one.
+/// kBadConfig: an unknown name.
 Result<std::vector<Method>> makeMethods(const std::vector<std::string>& names, const Config& config,
                                         const std::optional<LearnedObjectness>& model = {});
 

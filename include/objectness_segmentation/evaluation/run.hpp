@@ -17,6 +17,7 @@ struct Run {
   };
   struct SceneInfo {
     std::string name, group;
+    std::string camera = {};  ///< Scene::camera
   };
 
   std::string commit;
@@ -26,6 +27,7 @@ struct Run {
   std::vector<Level> levels;
   std::vector<MethodInfo> methods;
   std::vector<SceneInfo> scenes;  ///< of this shard, in the order of their names
+  bool still = false;             ///< data sets are sequences of frames of a still scene
 };
 
 /// The commit the program was built from, with a checksum of what was changed since; the package's version when it was

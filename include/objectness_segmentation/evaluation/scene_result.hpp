@@ -8,7 +8,9 @@
 
 #include "objectness_segmentation/common/stage_timer.hpp"
 #include "objectness_segmentation/common/status.hpp"
+#include "objectness_segmentation/evaluation/box_fits.hpp"
 #include "objectness_segmentation/evaluation/figures.hpp"
+#include "objectness_segmentation/evaluation/picture_boxes.hpp"
 #include "objectness_segmentation/evaluation/scores.hpp"
 
 namespace objectness::evaluation {
@@ -17,15 +19,20 @@ namespace objectness::evaluation {
 struct SceneResult {
   enum class State {
     kDone,
-    kFailed,   ///< the method did; scored as if nothing had been found
-    kUnusable  ///< there is no truth to score against
+    kFailed,        ///< the method did; scored as if nothing had been found
+    kUnusable,      ///< there is no truth to score against
+    kNotApplicable  ///< the method is told true labels, and the scene has none
   };
 
   std::string scene, method;
   std::string made_from;  ///< commit, settings and input in one text: equal text, equal result
   State state = State::kDone;
-  std::string problem;                 ///< of a state other than kDone, a sentence
-  std::optional<Scores> object, part;  ///< by level; none when the truth has no objects
+  std::string problem;                            ///< of a state other than kDone, a sentence
+  std::optional<Scores> object, part;             ///< by level; none when the truth has no objects
+  std::optional<PictureBoxCounts> picture_boxes;  ///< where objects.yaml has boxes in the picture
+  std::vector<BoxFit> box_fits;                   ///< where objects.yaml has boxes in space
+  std::vector<OrientedBox> segment_boxes;         ///< segmentBoxes()
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< away from the table, camera frame
   int segments = 0;
   Figures proposals;      ///< toFigures(), of methods that propose boxes
   Figures gaps;           ///< selection_gap and annealing_gap of Report::values, where there are any

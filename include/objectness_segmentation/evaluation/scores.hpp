@@ -4,6 +4,7 @@
 #include <opencv2/core.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace objectness::evaluation {
 
@@ -59,6 +60,18 @@ struct Scores {
     visit("WO", self.weighted_overlap);
   }
 };
+
+/// An object is found when the Dice of its pair exceeds this.
+constexpr double kFoundDice = 0.75;
+
+/// A true object and its segment, by their labels in the images.
+struct ObjectPair {
+  int object, segment;
+  double dice;  ///< of their pixels, those of void truth left out
+};
+
+/// The one-to-one pairs of the largest summed Dice that share pixels, by object: those that scoreLabels() makes.
+std::vector<ObjectPair> pairObjects(const cv::Mat_<ushort>& labels, const cv::Mat_<ushort>& truth);
 
 /// Scores labels (0 nothing, 1 table, 2 and above one segment each) against truth of one level, of equal size. The
 /// boundary tolerance is ceil(0.003 * image diagonal) pixels. A Scores of defaults when there are no segments; nothing

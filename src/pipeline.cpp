@@ -6,6 +6,7 @@
 #include "doubtful_scale.hpp"
 #include "front_end.hpp"
 #include "guarded_segmentation.hpp"
+#include "needed_resolution.hpp"
 #include "objectness_segmentation/common/thread_pool.hpp"
 #include "objectness_segmentation/grouping/bottom_up.hpp"
 #include "objectness_segmentation/grouping/group_cost.hpp"
@@ -185,7 +186,10 @@ void run(const Frame& frame, const Config& config, const LearnedObjectness* mode
     searchBoxes(frame, config, stage, result);
   }
   if (!result.status.ok()) return;
-  takeBackground(frame, result.table, result.object_points, result.segments);
+  if (config.background.judged) {
+    const auto taken = takeBackground(frame, result.table, result.object_points, result.segments);
+    stage.count("background", taken.size());
+  }
   stage("resting_boxes",
         [&] { restBoxes(frame, result.normals, result.table, result.object_points, result.segments); });
   keepMeasured(frame.bridged, result.segments);
@@ -204,7 +208,8 @@ Segmentation segmentWith(const LearnedObjectness* model, const Frame& frame, con
       return;
     }
     try {
-      run(frame, config, model, cancel, result);
+      atNeededResolution(frame, config.resolution, result,
+                         [&](const Frame& seen) { run(seen, config, model, cancel, result); });
     } catch (const Cancelled&) {
       result.status = Status::error(StatusCode::kCancelled, "cancelled between stages");
     }

@@ -12,8 +12,10 @@
 #include "objectness_segmentation/scene/frame.hpp"
 #include "objectness_segmentation/scene/normals.hpp"
 #include "objectness_segmentation/scene/object_points.hpp"
+#include "objectness_segmentation/scene/resolution.hpp"
 #include "objectness_segmentation/scene/table.hpp"
 #include "objectness_segmentation/search/box_sampler.hpp"
+#include "objectness_segmentation/segments/background.hpp"
 #include "objectness_segmentation/segments/segments.hpp"
 #include "objectness_segmentation/selection/box_filter.hpp"
 #include "objectness_segmentation/selection/global_selection.hpp"
@@ -37,6 +39,7 @@ struct RuntimeConfig {
 /// as in the YAML presets ("objectness.weight_edges").
 struct Config {
   InputConfig input;
+  ResolutionConfig resolution;
   NormalsConfig normals;
   TableConfig table;
   ObjectPointsConfig object_points;
@@ -51,12 +54,14 @@ struct Config {
   LinksConfig links;
   GroupingConfig grouping;
   SegmentsConfig segments;
+  BackgroundConfig background;
   TrackingConfig tracking;  ///< from frame to frame: not used by segment()
   RuntimeConfig runtime;
 
   template <class Self, class Visit>
   static void groups(Self& self, Visit&& visit) {
     visit("input", self.input);
+    visit("resolution", self.resolution);
     visit("normals", self.normals);
     visit("table", self.table);
     visit("object_points", self.object_points);
@@ -74,6 +79,7 @@ struct Config {
     visit("grouping", self.grouping);
     visit("group_cues", self.grouping.cues);
     visit("segments", self.segments);
+    visit("background", self.background);
     visit("tracking", self.tracking);
     visit("runtime", self.runtime);
   }

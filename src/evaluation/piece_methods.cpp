@@ -38,7 +38,7 @@ void run(const Frame& frame, const Config& config, const Choose& choose, Segment
   std::vector<int> all(groups.size());
   std::iota(all.begin(), all.end(), 0);
   result.segments = cutGroups(graph.pieces, groups, all, config.segments);
-  takeBackground(frame, result.table, result.object_points, result.segments);
+  if (config.background.judged) takeBackground(frame, result.table, result.object_points, result.segments);
   restBoxes(frame, result.normals, result.table, result.object_points, result.segments);
   keepMeasured(frame.bridged, result.segments);
   result.labels = labelImage(result.object_points.on_table, frame.bridged, result.segments);

@@ -12,6 +12,7 @@
 #include "guarded_segmentation.hpp"
 #include "io/quiet_pcl.hpp"
 #include "mps.hpp"
+#include "needed_resolution.hpp"
 #include "objectness_segmentation/common/thread_pool.hpp"
 #include "organized_clusters.hpp"
 #include "ransac_plane.hpp"
@@ -172,7 +173,8 @@ Segmentation segmentWithPeer(Peer peer, const Frame& frame, const Config& config
   return guardedSegmentation(frame, [&](Segmentation& result) {
     const std::string problem = problemOf(peer, config, settings);
     if (problem.empty()) {
-      run(peer, frame, config, settings, result);
+      atNeededResolution(frame, config.resolution, result,
+                         [&](const Frame& seen) { run(peer, seen, config, settings, result); });
     } else {
       result.status = Status::error(StatusCode::kBadConfig, problem);
     }

@@ -8,6 +8,16 @@
 
 namespace objectness {
 
+struct BackgroundConfig {
+  bool judged = true;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("judged", self.judged,
+          "what leaves the picture and lies beside the table, or flat on it, is no object; off: it is published, too");
+  }
+};
+
 /// Takes out of `segments` what stands around the objects, and returns it: both in their order.
 ///
 /// Judged apart from grouping, so that it cannot merge things, and by nothing but where a segment is seen:

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "objectness_segmentation/scene/frame.hpp"
+
+namespace objectness {
+
+struct ResolutionConfig {
+  double finest_pixel_m = 0.0008;
+  int min_width_px = 600;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit(
+        "finest_pixel_m", self.finest_pixel_m, Range{0, 0.01},
+        "pixels that are finer than this on what is seen are averaged, up to twice this; results are the input's size; "
+        "0: never");
+    visit("min_width_px", self.min_width_px, Range{100, 100000}, "but never to a picture narrower than this");
+  }
+};
+
+/// How many pixels each way are worth one: 1 where the picture is as coarse as it should be. A depth camera's noise is
+/// one over many pixels: a surface is sampled finer than it is known, and what is fitted in windows of pixels sees
+/// the noise instead of the surface.
+int averagedPixels(const Frame& frame, const ResolutionConfig& config);
+
+/// A frame of blocks of `factor` x `factor` pixels, the last ones of a row or column cut off by the picture's end. Of a
+/// block that a depth jump crosses the nearer surface is averaged, if it has half of the pixels that have depth, else
+/// the farther one; a block of which less than half has depth has none. A block of bridged pixels alone is bridged.
+Frame averageBlocks(const Frame& frame, int factor);
+
+/// By pixel of `frame`, the pixel of `coarse` = averageBlocks(frame, factor) that saw its surface: that of its block,
+/// or of the blocks around the one next in depth, when that is much nearer; -1 without depth.
+std::vector<int> blocksOf(const Frame& frame, const Frame& coarse, int factor);
+
+}  // namespace objectness

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "objectness_segmentation/result.hpp"
+#include "objectness_segmentation/scene/resolution.hpp"
+
+namespace objectness {
+
+/// Brings what was found in averageBlocks(frame, factor) = coarse to the pixels of the frame. Table, boxes and all that
+/// is metric stay; normals, which only the stages need, go.
+void spreadOverPixels(const Frame& frame, const Frame& coarse, int factor, Segmentation& result);
+
+/// Calls run(frame to work on), which fills the result: with the frame itself, or where its pixels are finer than
+/// needed with one of averaged pixels. The result is of the frame's size either way, also when a stage fails or throws.
+template <class Run>
+void atNeededResolution(const Frame& frame, const ResolutionConfig& config, Segmentation& result, const Run& run) {
+  const int factor = averagedPixels(frame, config);
+  if (factor == 1) {
+    run(frame);
+    return;
+  }
+  const Frame coarse = averageBlocks(frame, factor);
+  try {
+    run(coarse);
+  } catch (...) {
+    spreadOverPixels(frame, coarse, factor, result);
+    throw;
+  }
+  spreadOverPixels(frame, coarse, factor, result);
+}
+
+}  // namespace objectness

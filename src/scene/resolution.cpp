@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "objectness_segmentation/scene/resolution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace objectness {
+namespace {
+
+constexpr int kSampleStep = 7;  // of the pixels whose size is looked at
+constexpr float kJump = 0.01f;  // of the depth: pixels of a block farther apart are not of one surface
+
+PinholeCamera coarser(PinholeCamera camera, int factor) {
+  camera.fx /= factor, camera.fy /= factor;
+  // The centre of a block of pixels 0..factor-1 is at (factor - 1) / 2.
+  camera.cx = (camera.cx - 0.5 * (factor - 1)) / factor, camera.cy = (camera.cy - 0.5 * (factor - 1)) / factor;
+  camera.width = (camera.width + factor - 1) / factor, camera.height = (camera.height + factor - 1) / factor;
+  return camera;
+}
+
+/// Mean depth of one surface among the depths of a block, NaN where there is none. depths: reordered.
+float blockDepth(std::vector<float>& depths, int pixels) {
+  if (depths.empty() || 2 * static_cast<int>(depths.size()) < pixels) return std::numeric_limits<float>::quiet_NaN();
+  std::sort(depths.begin(), depths.end());
+  const auto beyond = [&](std::size_t first) {
+    std::size_t end = first + 1;
+    while (end < depths.size() && depths[end] - depths[end - 1] <= kJump * depths[end - 1]) ++end;
+    return end;
+  };
+  std::size_t first = 0, end = beyond(0);
+  while (end < depths.size() && 2 * (end - first) < depths.size()) first = end, end = beyond(first);
+  double sum = 0;
+  for (std::size_t k = first; k < end; ++k) sum += depths[k];
+  return static_cast<float>(sum / static_cast<double>(end - first));
+}
+
+}  // namespace
+
+int averagedPixels(const Frame& frame, const ResolutionConfig& config) {
+  std::vector<float> depths;
+  for (std::size_t i = 0; i < frame.points.size(); i += kSampleStep) {
+    if (frame.points[i].z() > 0) depths.push_back(frame.points[i].z());
+  }
+  if (depths.empty()) return 1;
+  const auto middle = depths.begin() + depths.size() / 2;
+  std::nth_element(depths.begin(), middle, depths.end());
+  const double pixel_m = *middle / frame.camera.focal();
+  if (pixel_m >= config.finest_pixel_m) return 1;
+  const double widest = frame.width() / static_cast<double>(config.min_width_px);
+  return std::max(1, static_cast<int>(std::min(2 * config.finest_pixel_m / pixel_m, widest)));
+}
+
+Frame averageBlocks(const Frame& frame, int factor) {
+  Frame coarse;
+  coarse.camera = coarser(frame.camera, factor);
+  coarse.remarks = frame.remarks;
+  coarse.rectified = frame.rectified;
+  coarse.points.assign(coarse.size(), Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
+  if (!frame.color.empty()) coarse.color.create(coarse.height(), coarse.width());
+  std::vector<char> bridged(frame.bridged.empty() ? 0 : frame.size(), 0);
+  for (const int pixel : frame.bridged) bridged[pixel] = 1;
+
+  std::vector<float> depths;
+  for (int row = 0; row < coarse.height(); ++row) {
+    for (int column = 0; column < coarse.width(); ++column) {
+      const int last_u = std::min(frame.width(), (column + 1) * factor);
+      const int last_v = std::min(frame.height(), (row + 1) * factor);
+      depths.clear();
+      int pixels = 0, filled = 0;
+      cv::Vec3i color(0, 0, 0);
+      for (int v = row * factor; v < last_v; ++v) {
+        for (int u = column * factor; u < last_u; ++u) {
+          const int i = v * frame.width() + u;
+          ++pixels;
+          if (!frame.color.empty()) color += cv::Vec3i(frame.color(v, u));
+          if (!(frame.points[i].z() > 0)) continue;
+          depths.push_back(frame.points[i].z());
+          filled += !bridged.empty() && bridged[i];
+        }
+      }
+      const int i = row * coarse.width() + column;
+      if (!frame.color.empty()) coarse.color(row, column) = color / pixels;
+      const int measured = static_cast<int>(depths.size()) - filled;
+      const float z = blockDepth(depths, pixels);
+      if (!(z > 0)) continue;
+      coarse.points[i] = z * coarse.camera.ray(column, row).cast<float>();
+      if (measured == 0) coarse.bridged.push_back(i);
+    }
+  }
+  return coarse;
+}
+
+std::vector<int> blocksOf(const Frame& frame, const Frame& coarse, int factor) {
+  std::vector<int> blocks(frame.points.size(), -1);
+  for (int v = 0, i = 0; v < frame.height(); ++v) {
+    for (int u = 0; u < frame.width(); ++u, ++i) {
+      const float z = frame.points[i].z();
+      if (!(z > 0)) continue;
+      const int own = v / factor * coarse.width() + u / factor;
+      const float apart = std::abs(coarse.points[own].z() - z);
+      if (apart <= kJump * z) {
+        blocks[i] = own;
+        continue;
+      }
+      float nearest = std::numeric_limits<float>::infinity();
+      for (int row = std::max(0, v / factor - 1); row <= std::min(coarse.height() - 1, v / factor + 1); ++row) {
+        for (int column = std::max(0, u / factor - 1); column <= std::min(coarse.width() - 1, u / factor + 1);
+             ++column) {
+          const int other = row * coarse.width() + column;
+          const float distance = std::abs(coarse.points[other].z() - z);
+          if (distance < nearest) nearest = distance, blocks[i] = other;
+        }
+      }
+      if (nearest > 2 * kJump * z) blocks[i] = -1;
+    }
+  }
+  return blocks;
+}
+
+}  // namespace objectness

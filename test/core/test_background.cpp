@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "fixtures/ray_cast.hpp"
+#include "objectness_segmentation/pipeline.hpp"
+#include "objectness_segmentation/segments/background.hpp"
+
+using namespace objectness;
+using namespace objectness_test;
+
+namespace {
+
+/// One segment of each surface but the first, which is the table.
+struct Sight {
+  Scene scene;
+  Frame frame;
+  Table table;
+  ObjectPoints above;
+  std::vector<Segment> segments, background;
+
+  explicit Sight(std::vector<Surface> things) {
+    scene.surfaces = {slab(-0.4, -0.3, 0.4, 0.3, 0)};
+    scene.surfaces.insert(scene.surfaces.end(), things.begin(), things.end());
+    frame = scene.render();
+    const Normals normals = estimateNormals(frame, {});
+    const Result<Table> found = findTable(frame, normals, {});
+    EXPECT_TRUE(found.ok()) << found.status.message;
+    table = found.value;
+    above.height_m = cv::Mat_<float>(frame.height(), frame.width(), std::nanf(""));
+    segments.resize(things.size());
+    for (int i = 0; i < frame.size(); ++i) {
+      above.height_m(i / frame.width(), i % frame.width()) =
+          static_cast<float>(table.normal.dot(frame.points[i].cast<double>()) + table.d);
+      if (scene.seen[i] > 0) segments[scene.seen[i] - 1].pixels.push_back(i);
+    }
+    for (std::size_t k = 0; k < segments.size(); ++k) segments[k].objectness = 1 - 0.1 * static_cast<double>(k);
+    background = takeBackground(frame, table, above, segments);
+  }
+};
+
+const Surface kThing = box({-0.05, -0.05, 0}, {0.05, 0.05, 0.1});
+
+}  // namespace
+
+TEST(Background, AnArmFromBesideTheTableAndOutOfThePictureIsTaken) {
+  const Sight sight({kThing, box({0.38, -0.05, 0.05}, {1.5, 0.05, 0.12})});
+  ASSERT_EQ(sight.segments.size(), 1u);
+  EXPECT_EQ(sight.segments[0].objectness, 1);
+  ASSERT_EQ(sight.background.size(), 1u);
+  EXPECT_EQ(sight.background[0].objectness, 0.9);
+}
+
+TEST(Background, AThingThatJutsOutOverTheTableStays) {
+  const Sight sight({box({0.3, -0.05, 0}, {0.5, 0.05, 0.1}), kThing});
+  EXPECT_EQ(sight.segments.size(), 2u);
+  EXPECT_TRUE(sight.background.empty());
+}
+
+TEST(Background, AThingOnTheTableThatThePictureCutsStays) {
+  Sight sight({kThing});
+  // The picture ends in the middle of the thing.
+  const double half = 0.5 * sight.frame.width();
+  Scene shifted = sight.scene;
+  shifted.camera.cx -= half - 5;
+  Frame frame = shifted.render();
+  Segment cut;
+  ObjectPoints above;
+  above.height_m = cv::Mat_<float>(frame.height(), frame.width(), 0.1f);
+  for (int i = 0; i < frame.size(); ++i) {
+    if (shifted.seen[i] == 1) cut.pixels.push_back(i);
+  }
+  ASSERT_FALSE(cut.pixels.empty());
+  std::vector<Segment> segments{cut};
+  EXPECT_TRUE(takeBackground(frame, sight.table, above, segments).empty());
+  // No higher than the table bends at the end of the picture.
+  above.height_m = 0.012f;
+  EXPECT_EQ(takeBackground(frame, sight.table, above, segments).size(), 1u);
+  EXPECT_TRUE(segments.empty());
+}
+
+TEST(Background, NothingIsTakenOfNothing) {
+  const Sight sight({});
+  EXPECT_TRUE(sight.segments.empty());
+  EXPECT_TRUE(sight.background.empty());
+}
+
+TEST(Background, ThePipelinePublishesItWhenItIsNotJudged) {
+  Scene scene;
+  scene.surfaces = {slab(-0.4, -0.3, 0.4, 0.3, 0), kThing, box({0.3, -0.05, 0}, {1.5, 0.05, 0.12})};
+  scene.s0 = 0.0003, scene.s2 = 0.0008;
+  const Frame frame = scene.render();
+  Config config;
+  config.object_points.min_inside_share = 0;
+  const Segmentation judged = segment(frame, config);
+  config.background.judged = false;
+  const Segmentation all = segment(frame, config);
+  ASSERT_TRUE(judged.status.ok() && all.status.ok());
+  EXPECT_LT(judged.segments.size(), all.segments.size());
+  const auto count = [](const Segmentation& result, const std::string& name) {
+    for (const auto& [key, value] : result.report.counts) {
+      if (key == name) return static_cast<int>(value);
+    }
+    return -1;
+  };
+  EXPECT_EQ(count(judged, "background"), static_cast<int>(all.segments.size() - judged.segments.size()));
+  EXPECT_EQ(count(all, "background"), -1);
+}

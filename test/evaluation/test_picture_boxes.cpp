@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <opencv2/imgcodecs.hpp>
+#include <random>
+#include <sstream>
+
 #include "fixtures/label_pictures.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "objectness_segmentation/evaluation/picture_boxes.hpp"
@@ -72,4 +80,61 @@ TEST(PictureBoxes, AreReadFromTheScene) {
     EXPECT_EQ(loadPictureBoxes(folder.path()).status.code, StatusCode::kBadInput) << bad;
     EXPECT_NE(loadPictureBoxes(folder.path()).status.message.find("objects.yaml"), std::string::npos) << bad;
   }
+}
+
+TEST(PictureBoxes, AgreeWithTheReferenceScorer) {
+  const std::string scorer = sharedData() + "/../tools/score_boxes.py";
+  if (sharedData().empty() || !std::filesystem::exists(scorer)) {
+    GTEST_SKIP() << "no recorded scenes with their scorer here: set OBJECTNESS_DATA";
+  }
+  if (std::system("/usr/bin/python3 -c 'import cv2, numpy, scipy.optimize, yaml' 2>/dev/null") != 0) {
+    GTEST_SKIP() << "the scorer needs python3-opencv, python3-numpy, python3-scipy and python3-yaml";
+  }
+  const TemporaryFolder folder;
+  std::mt19937 random(6);
+  std::map<std::string, std::vector<int>> expected;
+  for (int i = 0; i < 40; ++i) {
+    const std::string name = std::to_string(i);
+    const cv::Mat_<ushort> labels = randomLabels(kSize, 1 + i % 9, 2, random);
+    const auto below = [&](int limit) { return static_cast<int>(random() % static_cast<unsigned>(limit)); };
+    std::vector<PictureBox> truth;
+    std::ostringstream yaml;
+    yaml << "objects:\n";
+    for (int k = 0; k <= i % 8; ++k) {
+      // About a segment, so that many are found, or anywhere.
+      const cv::Mat_<uchar> own = labels == 2 + k;
+      const cv::Rect about = k % 3 && cv::countNonZero(own) ? cv::boundingRect(own) : cv::Rect(20, 20, 60, 30);
+      const int u0 = std::max(0, about.x - below(9)), v0 = std::max(0, about.y - below(9));
+      const int u1 = std::min(kSize.width, about.br().x + below(9)),
+                v1 = std::min(kSize.height, about.br().y + below(9));
+      truth.push_back({{cv::Point2d(u0, v0), cv::Point2d(u1, v1)}, {u0 + below(u1 - u0), v0 + below(v1 - v0)}});
+      yaml << "- {box: [" << u0 << ", " << v0 << ", " << u1 << ", " << v1 << "], seed: [" << truth.back().seed.x << ", "
+           << truth.back().seed.y << "]}\n";
+    }
+    writeBytes(folder / ("truth/" + name + "/objects.yaml"), yaml.str());
+    std::filesystem::create_directories(folder / ("found/" + name));
+    cv::imwrite(folder / ("found/" + name + "/labels.png"), labels);
+    expected[name] = numbers(countPictureBoxes(labels, loadPictureBoxes(folder / ("truth/" + name)).value));
+  }
+  const std::string csv = folder / "boxes.csv";
+  ASSERT_EQ(std::system(("/usr/bin/python3 " + scorer + " " + (folder / "found") + " " + (folder / "truth") +
+                         " --csv " + csv + " >/dev/null")
+                            .c_str()),
+            0);
+  std::ifstream file(csv);
+  std::string line, cell;
+  std::getline(file, line);
+  int compared = 0, found = 0, merged = 0, stray = 0;
+  while (std::getline(file, line)) {
+    std::istringstream cells(line);
+    std::string name;
+    std::getline(cells, name, ',');
+    std::vector<int> row;
+    while (std::getline(cells, cell, ',')) row.push_back(std::stoi(cell));
+    EXPECT_EQ(expected.at(name), row) << "scene " << name;
+    found += row[1], merged += row[3], stray += row[5];
+    ++compared;
+  }
+  EXPECT_EQ(compared, 40);
+  EXPECT_GT(std::min({found, merged, stray}), 5) << "every count was put to the test";
 }

@@ -299,7 +299,8 @@ TEST_F(EvaluateTool, ReportsBoxesInSpaceOfSimulatedScenes) {
   for (const char* method : {"objectness", "lccp", "oracle"}) {
     EXPECT_NE(csv.find(std::string(method) + ",all,,"), std::string::npos) << csv;
     double best = 0;
-    for (const Json& fit : readJson(std::string("report/results/") + method + "/simulated.json")["box_fits"]) {
+    const Json result = readJson(std::string("report/results/") + method + "/simulated.json");
+    for (const Json& fit : result["box_fits"]) {
       best = std::max(best, fit["overlap"].get<double>());
     }
     EXPECT_GT(best, 0.3) << method;

@@ -14,34 +14,42 @@ constexpr int kMarginPx = 3;  // cameras often have no depth in the outermost pi
 constexpr double kLeaves = 0.5;
 constexpr double kAlongMargin = 2.0;
 constexpr double kMostlyOnTable = 0.6;  // a share of its points
-constexpr double kTop = 0.97;           // share of its points that are not higher than the top
-constexpr float kBendM = 0.02f;         // of a table, at the margin of the picture
+constexpr double kSomeOnTable = 0.02;
+constexpr double kTop = 0.97;    // share of its points that are not higher than the top
+constexpr float kBendM = 0.02f;  // of a table, at the margin of the picture
 
 struct Place {
   double at_margin = 0;  ///< pixels there, in square roots of all
-  double on_table = 0;   ///< share of the points whose foot is on the table
+  double on_table = 0;   ///< share of the points whose foot is where the table is seen
+  double by_table = 0;   ///< or where it probably goes on under what hides it
   float top_m = 0;
 };
 
 Place placeOf(const Segment& segment, const Frame& frame, const Table& table, const ObjectPoints& above) {
   const Eigen::Isometry3f T_table_camera = table.T_table_camera.cast<float>();
   std::vector<float> heights;
-  int at_margin = 0, on_table = 0;
+  int at_margin = 0, on_table = 0, by_table = 0;
   for (const int pixel : segment.pixels) {
     const int u = pixel % frame.width(), v = pixel / frame.width();
     at_margin += std::min({u, v, frame.width() - 1 - u, frame.height() - 1 - v}) < kMarginPx;
     const Eigen::Vector3f p = T_table_camera * frame.points[pixel];
-    on_table += table.extent.contains(p.x(), p.y());
+    const uchar cell = table.extent.at(p.x(), p.y());
+    on_table += cell == 255;
+    by_table += cell != 0;
     heights.push_back(above.height_m(v, u));
   }
   const auto top = heights.begin() + static_cast<std::size_t>(kTop * (heights.size() - 1));
   std::nth_element(heights.begin(), top, heights.end());
   const double pixels = static_cast<double>(segment.pixels.size());
-  return {at_margin / std::sqrt(pixels), on_table / pixels, *top};
+  return {at_margin / std::sqrt(pixels), on_table / pixels, by_table / pixels, *top};
 }
 
 bool isBackground(const Place& place) {
-  if (place.at_margin > kLeaves && place.on_table < kMostlyOnTable) return true;
+  if (place.at_margin > kLeaves) {
+    // What stands behind others at the picture's end has its whole foot where the table is hidden: that says nothing.
+    const bool over_the_edge = place.on_table > kSomeOnTable && place.on_table < kMostlyOnTable;
+    if (over_the_edge || place.by_table < kMostlyOnTable) return true;
+  }
   return place.at_margin > kAlongMargin && place.top_m < kBendM;
 }
 

@@ -19,13 +19,17 @@ void atNeededResolution(const Frame& frame, const ResolutionConfig& config, Segm
     run(frame);
     return;
   }
-  const Frame coarse = averageBlocks(frame, factor);
+  const Frame coarse = [&] {
+    const StageTimer timer(result.report.timings_ms, "averaging");
+    return averageBlocks(frame, factor);
+  }();
   try {
     run(coarse);
   } catch (...) {
     spreadOverPixels(frame, coarse, factor, result);
     throw;
   }
+  const StageTimer timer(result.report.timings_ms, "spreading");
   spreadOverPixels(frame, coarse, factor, result);
 }
 

@@ -4,16 +4,15 @@
 #include <algorithm>
 
 #include "doubtful_scale.hpp"
+#include "finished_segments.hpp"
 #include "front_end.hpp"
+#include "grouping/object_judge.hpp"
 #include "guarded_segmentation.hpp"
 #include "needed_resolution.hpp"
 #include "objectness_segmentation/common/thread_pool.hpp"
 #include "objectness_segmentation/grouping/bottom_up.hpp"
 #include "objectness_segmentation/grouping/group_cost.hpp"
-#include "objectness_segmentation/grouping/hand_set.hpp"
 #include "objectness_segmentation/search/angle_search.hpp"
-#include "objectness_segmentation/segments/background.hpp"
-#include "objectness_segmentation/segments/resting_boxes.hpp"
 #include "objectness_segmentation/selection/hypotheses.hpp"
 
 namespace objectness {
@@ -143,16 +142,10 @@ void groupPieces(const Frame& frame, const Config& config, const LearnedObjectne
 
   std::vector<Link> links;
   const std::vector<GroupHypothesis> groups = stage("groups", [&] {
-    links = model ? judgePairs(graph.pairs, graph.borders, *model, config.runtime.threads)
-                  : judgePairsByRule(graph.pairs, graph.pieces, graph.borders);
+    links = judgeLinks(graph, model, config.runtime.threads);
     std::vector<GroupHypothesis> proposed =
         proposeObjects(frame, result.table, result.edges, graph, links, config.grouping, config.runtime.threads);
-    if (model) {
-      judgeGroups(*model, proposed, config.runtime.threads);
-    } else {
-      judgeGroupsByHand(config.objectness, config.volume.voxel_m,
-                        config.grouping.least_objectness - config.filter.threshold, proposed);
-    }
+    judgeObjects(config, model, proposed);
     return proposed;
   });
   stage.count("hypotheses", groups.size());
@@ -180,21 +173,12 @@ void run(const Frame& frame, const Config& config, const LearnedObjectness* mode
     return;
   }
   if (config.grouping.enabled) {
-    const bool learned = config.grouping.learned;
-    groupPieces(frame, config, !learned ? nullptr : model ? model : &defaultModel(), stage, result);
+    groupPieces(frame, config, judgeOf(config, model), stage, result);
   } else {
     searchBoxes(frame, config, stage, result);
   }
   if (!result.status.ok()) return;
-  if (config.background.judged) {
-    const auto taken = takeBackground(frame, result.table, result.object_points, result.segments);
-    stage.count("background", taken.size());
-  }
-  stage("resting_boxes",
-        [&] { restBoxes(frame, result.normals, result.table, result.object_points, result.segments); });
-  keepMeasured(frame.bridged, result.segments);
-  result.labels = labelImage(result.object_points.on_table, frame.bridged, result.segments);
-  stage.count("segments", result.segments.size());
+  finishSegments(frame, config, stage, result);
   remarkOnScale(frame, result);
 }
 

@@ -6,16 +6,16 @@
 #include <map>
 #include <numeric>
 
+#include "finished_segments.hpp"
 #include "front_end.hpp"
 #include "grouping/group_parts.hpp"
+#include "grouping/object_judge.hpp"
 #include "guarded_segmentation.hpp"
+#include "needed_resolution.hpp"
 #include "objectness_segmentation/common/thread_pool.hpp"
 #include "objectness_segmentation/common/true_labels.hpp"
 #include "objectness_segmentation/evaluation/contracted_edges.hpp"
 #include "objectness_segmentation/grouping/bottom_up.hpp"
-#include "objectness_segmentation/grouping/hand_set.hpp"
-#include "objectness_segmentation/segments/background.hpp"
-#include "objectness_segmentation/segments/resting_boxes.hpp"
 
 namespace objectness::evaluation {
 namespace {
@@ -30,27 +30,25 @@ using Choose = std::function<std::vector<GroupHypothesis>(const PieceScene&)>;
 
 void run(const Frame& frame, const Config& config, const Choose& choose, Segmentation& result) {
   const ThreadPool pool(config.runtime.threads);
-  observeScene(frame, config, Stages(nullptr, result.report), result);
+  const Stages stage(nullptr, result.report);
+  observeScene(frame, config, stage, result);
   if (!result.status.ok()) return;
   const PieceGraph graph = findPieceGraph(frame, result.normals, result.table, result.object_points, result.superpixels,
                                           config.pieces, config.links, config.runtime.threads);
+  stage.count("pieces", graph.pieces.count());
   const std::vector<GroupHypothesis> groups = choose({frame, result, graph});
   std::vector<int> all(groups.size());
   std::iota(all.begin(), all.end(), 0);
   result.segments = cutGroups(graph.pieces, groups, all, config.segments);
-  if (config.background.judged) takeBackground(frame, result.table, result.object_points, result.segments);
-  restBoxes(frame, result.normals, result.table, result.object_points, result.segments);
-  keepMeasured(frame.bridged, result.segments);
-  result.labels = labelImage(result.object_points.on_table, frame.bridged, result.segments);
-  result.report.counts.emplace_back("pieces", graph.pieces.count());
-  result.report.counts.emplace_back("segments", result.segments.size());
+  finishSegments(frame, config, stage, result);
 }
 
 Segmentation segmentBy(const Choose& choose, const Frame& frame, const Config& config) {
   return guardedSegmentation(frame, [&](Segmentation& result) {
     const std::vector<std::string> problems = validate(config);
     if (problems.empty()) {
-      run(frame, config, choose, result);
+      atNeededResolution(frame, config.resolution, result,
+                         [&](const Frame& seen) { run(seen, config, choose, result); });
     } else {
       result.status = Status::error(StatusCode::kBadConfig, problems.front());
     }
@@ -97,8 +95,9 @@ std::vector<int> pieceOwners(const Pieces& pieces, const cv::Mat_<ushort>& true_
 }
 
 Segmentation segmentByOracle(const Frame& frame, const cv::Mat_<ushort>& true_labels, const Config& config) {
+  const cv::Mat_<ushort> truth = labelsOfBlocks(true_labels, averagedPixels(frame, config.resolution));
   const Choose choose = [&](const PieceScene& scene) {
-    const std::vector<int> owners = pieceOwners(scene.graph.pieces, true_labels);
+    const std::vector<int> owners = pieceOwners(scene.graph.pieces, truth);
     std::map<int, std::vector<int>> of_object;
     for (std::size_t k = 0; k < owners.size(); ++k) {
       if (owners[k] >= 0) of_object[owners[k]].push_back(static_cast<int>(k));
@@ -107,7 +106,7 @@ Segmentation segmentByOracle(const Frame& frame, const cv::Mat_<ushort>& true_la
     std::vector<double> overlaps;
     for (const auto& [object, pieces] : of_object) {
       groups.push_back(pieces);
-      overlaps.push_back(overlapWith(object, pieces, scene.graph.pieces, true_labels));
+      overlaps.push_back(overlapWith(object, pieces, scene.graph.pieces, truth));
     }
     std::vector<GroupHypothesis> described = describe(scene, groups, {}, config);
     for (std::size_t k = 0; k < described.size(); ++k) described[k].objectness = static_cast<float>(overlaps[k]);
@@ -119,21 +118,15 @@ Segmentation segmentByOracle(const Frame& frame, const cv::Mat_<ushort>& true_la
 Segmentation segmentByClustering(const Frame& frame, const Config& config, const LearnedObjectness* model) {
   const Choose choose = [&](const PieceScene& scene) {
     const PieceGraph& graph = scene.graph;
-    const LearnedObjectness* judge = !config.grouping.learned ? nullptr : model ? model : &defaultModel();
-    const std::vector<Link> links = judge ? judgePairs(graph.pairs, graph.borders, *judge, config.runtime.threads)
-                                          : judgePairsByRule(graph.pairs, graph.pieces, graph.borders);
+    const LearnedObjectness* judge = judgeOf(config, model);
+    const std::vector<Link> links = judgeLinks(graph, judge, config.runtime.threads);
     std::vector<WeightedEdge> edges;
     for (const Link& link : links) {
       const double factor = link.contact ? 1 : config.grouping.weight_gaps;
       edges.push_back({link.first, link.second, factor * logOdds(link.probability)});
     }
     std::vector<GroupHypothesis> clusters = describe(scene, contractEdges(graph.pieces.count(), edges), links, config);
-    if (judge) {
-      judgeGroups(*judge, clusters, config.runtime.threads);
-    } else {
-      judgeGroupsByHand(config.objectness, config.volume.voxel_m,
-                        config.grouping.least_objectness - config.filter.threshold, clusters);
-    }
+    judgeObjects(config, judge, clusters);
     return clusters;
   };
   return segmentBy(choose, frame, config);

@@ -62,15 +62,16 @@ template Samples samplesOf<GroupCues>();
 
 TrainingScene observe(const Frame& frame, const cv::Mat_<ushort>& truth, const Config& config) {
   TrainingScene scene;
-  scene.frame = frame;
+  const int factor = averagedPixels(frame, config.resolution);  // as segment() sees it
+  scene.frame = factor == 1 ? frame : averageBlocks(frame, factor);
   Config grouping = config;
   grouping.grouping.enabled = true;  // it is for this method that scenes are learned from
   Report report;
-  observeScene(frame, grouping, Stages(nullptr, report), scene);
+  observeScene(scene.frame, grouping, Stages(nullptr, report), scene);
   if (!scene.status.ok()) return scene;
-  scene.graph = findPieceGraph(frame, scene.normals, scene.table, scene.object_points, scene.superpixels, config.pieces,
-                               config.links, config.runtime.threads);
-  compare(truth, scene);
+  scene.graph = findPieceGraph(scene.frame, scene.normals, scene.table, scene.object_points, scene.superpixels,
+                               config.pieces, config.links, config.runtime.threads);
+  compare(labelsOfBlocks(truth, factor), scene);
   return scene;
 }
 

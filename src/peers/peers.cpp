@@ -57,6 +57,8 @@ struct SettingsPrinter {
   }
 };
 
+bool isPclAlone(Peer peer) { return peer == Peer::kEuclidean || peer == Peer::kOrganized; }
+
 std::string problemOf(Peer peer, const Config& config, const PeersConfig& settings) {
   const std::vector<std::string> problems = validate(config);
   if (!problems.empty()) return problems.front();
@@ -173,8 +175,12 @@ Segmentation segmentWithPeer(Peer peer, const Frame& frame, const Config& config
   return guardedSegmentation(frame, [&](Segmentation& result) {
     const std::string problem = problemOf(peer, config, settings);
     if (problem.empty()) {
-      atNeededResolution(frame, config.resolution, result,
-                         [&](const Frame& seen) { run(peer, seen, config, settings, result); });
+      const auto at = [&](const Frame& seen) { run(peer, seen, config, settings, result); };
+      if (isPclAlone(peer)) {
+        at(frame);
+      } else {
+        atNeededResolution(frame, config.resolution, result, at);
+      }
     } else {
       result.status = Status::error(StatusCode::kBadConfig, problem);
     }

@@ -24,11 +24,11 @@ constexpr float kMinPatchShare = 0.3f;  // of its pixels that have a height
 constexpr float kLowShare = 0.5f;       // of what is wanted, for patches that hang together with such
 constexpr int kMinSeedCells = 8;
 
-/// Heights by cell. All of the same size; NaN where none of a cell's pixels may belong to the table.
+/// Heights by cell, all of the same size.
 struct Cells {
   int px = 1;                ///< width of a cell
-  cv::Mat_<float> height_m;  ///< mean
-  cv::Mat_<float> weight;    ///< share of its pixels that have one
+  cv::Mat_<float> height_m;  ///< mean of the pixels that may belong to the table or to something low; 0 without such
+  cv::Mat_<float> weight;    ///< share of such pixels
   cv::Mat_<uchar> of_table;  ///< 255 = most are within the noise of the table
 };
 
@@ -39,23 +39,31 @@ Cells makeCells(const HeightMap& map, const cv::Mat_<uchar>& above, int threads)
   const cv::Size size((width + cells.px - 1) / cells.px, (height + cells.px - 1) / cells.px);
   cells.height_m.create(size), cells.weight.create(size), cells.of_table.create(size);
   forRowBands(size.height, threads, [&](int first, int last) {
+    std::vector<float> sum(size.width);
+    std::vector<int> count(size.width), level(size.width);
     for (int row = first; row < last; ++row) {
-      for (int column = 0; column < size.width; ++column) {
-        const int right = std::min(width, (column + 1) * cells.px), low = std::min(height, (row + 1) * cells.px);
-        float sum = 0;
-        int count = 0, level = 0, all = 0;
-        for (int v = row * cells.px; v < low; ++v) {
-          for (int u = column * cells.px; u < right; ++u) {
-            ++all;
-            const float h = map.height_m(v, u);
-            if (above(v, u) || !map.inside(v, u) || !(std::abs(h) < kNearTableM)) continue;
-            sum += h, ++count;
-            level += std::abs(h) <= map.threshold_m(v, u);
-          }
+      std::fill(sum.begin(), sum.end(), 0.f);
+      std::fill(count.begin(), count.end(), 0);
+      std::fill(level.begin(), level.end(), 0);
+      const int low = std::min(height, (row + 1) * cells.px);
+      for (int v = row * cells.px; v < low; ++v) {
+        const float *heights = map.height_m[v], *threshold = map.threshold_m[v];
+        const uchar *inside = map.inside[v], *tall = above[v];
+        for (int u = 0, column = 0, next = cells.px; u < width; ++u) {
+          if (u == next) ++column, next += cells.px;
+          const float h = heights[u];
+          if (tall[u] || !inside[u] || !(std::abs(h) < kNearTableM)) continue;
+          sum[column] += h;
+          ++count[column];
+          level[column] += std::abs(h) <= threshold[u];
         }
-        cells.height_m(row, column) = sum / std::max(1, count);
-        cells.weight(row, column) = count / float(all);
-        cells.of_table(row, column) = 2 * level > count ? 255 : 0;
+      }
+      for (int column = 0; column < size.width; ++column) {
+        const int columns = std::min(width, (column + 1) * cells.px) - column * cells.px;
+        const int all = columns * (low - row * cells.px);
+        cells.height_m(row, column) = sum[column] / std::max(1, count[column]);
+        cells.weight(row, column) = count[column] / float(all);
+        cells.of_table(row, column) = 2 * level[column] > count[column] ? 255 : 0;
       }
     }
   });
@@ -73,28 +81,47 @@ cv::Mat_<float> ratio(const cv::Mat_<float>& sums, const cv::Mat_<float>& weight
   return mean;
 }
 
+/// Smooth mean of what some of the cells say.
+class SmoothMean {
+ public:
+  explicit SmoothMean(const cv::Size& cells)
+      : cells_(cells),
+        sums_((cells.height + kCoarse - 1) / kCoarse, (cells.width + kCoarse - 1) / kCoarse, 0.f),
+        weights_(sums_.size(), 0.f) {}
+
+  void add(int row, int column, float value, float weight) {
+    sums_(row / kCoarse, column / kCoarse) += weight * value;
+    weights_(row / kCoarse, column / kCoarse) += weight;
+  }
+  /// By cell. 0 far from all that was added.
+  cv::Mat_<float> byCell() const {
+    const double sigma = kSmoothCells / kCoarse;
+    cv::Mat_<float> sums, weights, mean;
+    cv::GaussianBlur(sums_, sums, {}, sigma, sigma, cv::BORDER_REPLICATE);
+    cv::GaussianBlur(weights_, weights, {}, sigma, sigma, cv::BORDER_REPLICATE);
+    const cv::Size whole(sums.cols * kCoarse, sums.rows * kCoarse);
+    cv::resize(ratio(sums, weights, 1e-3f), mean, whole, 0, 0, cv::INTER_LINEAR);
+    return mean(cv::Rect({0, 0}, cells_));
+  }
+
+ private:
+  cv::Size cells_;
+  cv::Mat_<float> sums_, weights_;
+};
+
 /// The surface that the table has for the sensor, over the plane.
 cv::Mat_<float> tableSurface(const Cells& cells) {
   const cv::Size size = cells.weight.size();
-  const cv::Size coarse((size.width + kCoarse - 1) / kCoarse, (size.height + kCoarse - 1) / kCoarse);
   cv::Mat_<float> surface(size, 0.f);
   for (int round = 0; round < kRounds; ++round) {
-    cv::Mat_<float> sums(coarse, 0.f), weights(coarse, 0.f);
+    SmoothMean mean(size);
     for (int v = 0; v < size.height; ++v) {
       for (int u = 0; u < size.width; ++u) {
-        const float residual = cells.height_m(v, u) - surface(v, u), weight = cells.weight(v, u);
-        if (!cells.of_table(v, u) || (round > 0 && std::abs(residual) > kOfTableM)) continue;
-        sums(v / kCoarse, u / kCoarse) += weight * cells.height_m(v, u);
-        weights(v / kCoarse, u / kCoarse) += weight;
+        const bool off = round > 0 && std::abs(cells.height_m(v, u) - surface(v, u)) > kOfTableM;
+        if (cells.of_table(v, u) && !off) mean.add(v, u, cells.height_m(v, u), cells.weight(v, u));
       }
     }
-    const double sigma = kSmoothCells / kCoarse;
-    cv::GaussianBlur(sums, sums, {}, sigma, sigma, cv::BORDER_REPLICATE);
-    cv::GaussianBlur(weights, weights, {}, sigma, sigma, cv::BORDER_REPLICATE);
-    const cv::Mat_<float> mean = ratio(sums, weights, 1e-3f);
-    cv::Mat_<float> large;
-    cv::resize(mean, large, {coarse.width * kCoarse, coarse.height * kCoarse}, 0, 0, cv::INTER_LINEAR);
-    large(cv::Rect({0, 0}, size)).copyTo(surface);
+    surface = mean.byCell();
   }
   return surface;
 }
@@ -126,36 +153,27 @@ void keepSeeded(const cv::Mat_<uchar>& seeds, cv::Mat_<uchar>& mask) {
   }
 }
 
-/// Noise of the patches around, told by those that lie under the surface, where nothing stands.
-cv::Mat_<float> patchNoise(const Cells& cells, const cv::Mat_<float>& patches) {
-  const cv::Size size = patches.size();
-  const cv::Size coarse((size.width + kCoarse - 1) / kCoarse, (size.height + kCoarse - 1) / kCoarse);
-  cv::Mat_<float> sums(coarse, 0.f), weights(coarse, 0.f);
-  for (int v = 0; v < size.height; ++v) {
-    for (int u = 0; u < size.width; ++u) {
-      if (!cells.of_table(v, u) || !(patches(v, u) < 0)) continue;
-      sums(v / kCoarse, u / kCoarse) += patches(v, u) * patches(v, u);
-      weights(v / kCoarse, u / kCoarse) += 1;
+/// Variance of the patches around, told by those that lie under the surface, where nothing stands. Square metres.
+cv::Mat_<float> patchVariance(const Cells& cells, const cv::Mat_<float>& patches) {
+  SmoothMean mean(patches.size());
+  for (int v = 0; v < patches.rows; ++v) {
+    for (int u = 0; u < patches.cols; ++u) {
+      const float height_m = patches(v, u);
+      if (cells.of_table(v, u) && height_m < 0) mean.add(v, u, height_m * height_m, 1);
     }
   }
-  const double sigma = kSmoothCells / kCoarse;
-  cv::GaussianBlur(sums, sums, {}, sigma, sigma, cv::BORDER_REPLICATE);
-  cv::GaussianBlur(weights, weights, {}, sigma, sigma, cv::BORDER_REPLICATE);
-  cv::Mat_<float> noise;
-  cv::sqrt(ratio(sums, weights, 1e-3f), noise);
-  cv::resize(noise, noise, {coarse.width * kCoarse, coarse.height * kCoarse}, 0, 0, cv::INTER_LINEAR);
-  return noise(cv::Rect({0, 0}, size));
+  return mean.byCell();
 }
 
 /// Connected cells of patches that are high enough over the surface.
 cv::Mat_<uchar> highPatches(const Cells& cells, const cv::Mat_<float>& patches, const ObjectPointsConfig& config) {
-  const cv::Mat_<float> noise_m = patchNoise(cells, patches);
+  const cv::Mat_<float> variance = patchVariance(cells, patches);
   const float sigmas = static_cast<float>(config.low_sigmas), least_m = static_cast<float>(config.low_min_height_m);
   cv::Mat_<uchar> low(patches.size(), uchar(0)), seeds(patches.size(), uchar(0));
   for (int v = 0; v < low.rows; ++v) {
     for (int u = 0; u < low.cols; ++u) {
       if (!(cells.weight(v, u) > 0)) continue;
-      const float wanted_m = std::max(least_m, sigmas * noise_m(v, u));
+      const float wanted_m = std::max(least_m, sigmas * std::sqrt(variance(v, u)));
       if (patches(v, u) > kLowShare * wanted_m) low(v, u) = 255;
       if (patches(v, u) > wanted_m) seeds(v, u) = 255;
     }
@@ -175,10 +193,12 @@ cv::Mat_<uchar> lowThings(const HeightMap& map, const ObjectPointsConfig& config
   cv::Mat_<uchar> mask(above.size(), uchar(0));
   forRowBands(mask.rows, threads, [&](int first, int last) {
     for (int v = first; v < last; ++v) {
-      const uchar* of_row = low[v / cells.px];
-      for (int u = 0; u < mask.cols; ++u) {
-        const bool may_be = of_row[u / cells.px] && !above(v, u) && map.inside(v, u);
-        if (may_be && std::abs(map.height_m(v, u)) < kNearTableM) mask(v, u) = 255;
+      const uchar *of_row = low[v / cells.px], *inside = map.inside[v], *tall = above[v];
+      const float* heights = map.height_m[v];
+      for (int u = 0, column = 0, next = cells.px; u < mask.cols; ++u) {
+        if (u == next) ++column, next += cells.px;
+        const bool may_be = of_row[column] && !tall[u] && inside[u] && std::abs(heights[u]) < kNearTableM;
+        if (may_be) mask(v, u) = 255;
       }
     }
   });

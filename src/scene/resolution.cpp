@@ -118,4 +118,16 @@ std::vector<int> blocksOf(const Frame& frame, const Frame& coarse, int factor) {
   return blocks;
 }
 
+cv::Mat_<ushort> labelsOfBlocks(const cv::Mat_<ushort>& labels, int factor) {
+  if (factor == 1) return labels;
+  cv::Mat_<ushort> of_blocks((labels.rows + factor - 1) / factor, (labels.cols + factor - 1) / factor);
+  for (int v = 0; v < of_blocks.rows; ++v) {
+    const int row = std::min(labels.rows - 1, v * factor + factor / 2);
+    for (int u = 0; u < of_blocks.cols; ++u) {
+      of_blocks(v, u) = labels(row, std::min(labels.cols - 1, u * factor + factor / 2));
+    }
+  }
+  return of_blocks;
+}
+
 }  // namespace objectness

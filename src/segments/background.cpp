@@ -18,39 +18,44 @@ constexpr double kSomeOnTable = 0.02;
 constexpr double kTop = 0.97;    // share of its points that are not higher than the top
 constexpr float kBendM = 0.02f;  // of a table, at the margin of the picture
 
-struct Place {
-  double at_margin = 0;  ///< pixels there, in square roots of all
-  double on_table = 0;   ///< share of the points whose foot is where the table is seen
-  double by_table = 0;   ///< or where it probably goes on under what hides it
-  float top_m = 0;
-};
-
-Place placeOf(const Segment& segment, const Frame& frame, const Table& table, const ObjectPoints& above) {
-  const Eigen::Isometry3f T_table_camera = table.T_table_camera.cast<float>();
-  std::vector<float> heights;
-  int at_margin = 0, on_table = 0, by_table = 0;
+/// Pixels at the picture's margin, in square roots of all.
+double atMargin(const Segment& segment, const Frame& frame) {
+  int pixels = 0;
   for (const int pixel : segment.pixels) {
     const int u = pixel % frame.width(), v = pixel / frame.width();
-    at_margin += std::min({u, v, frame.width() - 1 - u, frame.height() - 1 - v}) < kMarginPx;
+    pixels += std::min({u, v, frame.width() - 1 - u, frame.height() - 1 - v}) < kMarginPx;
+  }
+  return pixels / std::sqrt(static_cast<double>(segment.pixels.size()));
+}
+
+bool isBesideTable(const Segment& segment, const Frame& frame, const Table& table) {
+  const Eigen::Isometry3f T_table_camera = table.T_table_camera.cast<float>();
+  int on_table = 0, by_table = 0;
+  for (const int pixel : segment.pixels) {
     const Eigen::Vector3f p = T_table_camera * frame.points[pixel];
     const uchar cell = table.extent.at(p.x(), p.y());
     on_table += cell == 255;
     by_table += cell != 0;
-    heights.push_back(above.height_m(v, u));
   }
-  const auto top = heights.begin() + static_cast<std::size_t>(kTop * (heights.size() - 1));
-  std::nth_element(heights.begin(), top, heights.end());
   const double pixels = static_cast<double>(segment.pixels.size());
-  return {at_margin / std::sqrt(pixels), on_table / pixels, by_table / pixels, *top};
+  // What stands behind others at the picture's end has its whole foot where the table is hidden: that says nothing.
+  const bool over_the_edge = on_table > kSomeOnTable * pixels && on_table < kMostlyOnTable * pixels;
+  return over_the_edge || by_table < kMostlyOnTable * pixels;
 }
 
-bool isBackground(const Place& place) {
-  if (place.at_margin > kLeaves) {
-    // What stands behind others at the picture's end has its whole foot where the table is hidden: that says nothing.
-    const bool over_the_edge = place.on_table > kSomeOnTable && place.on_table < kMostlyOnTable;
-    if (over_the_edge || place.by_table < kMostlyOnTable) return true;
-  }
-  return place.at_margin > kAlongMargin && place.top_m < kBendM;
+float topOf(const Segment& segment, const ObjectPoints& above) {
+  std::vector<float> heights;
+  for (const int pixel : segment.pixels)
+    heights.push_back(above.height_m(pixel / above.height_m.cols, pixel % above.height_m.cols));
+  const auto top = heights.begin() + static_cast<std::size_t>(kTop * (heights.size() - 1));
+  std::nth_element(heights.begin(), top, heights.end());
+  return *top;
+}
+
+bool isBackground(const Segment& segment, const Frame& frame, const Table& table, const ObjectPoints& above) {
+  const double at_margin = atMargin(segment, frame);
+  if (!(at_margin > kLeaves)) return false;
+  return isBesideTable(segment, frame, table) || (at_margin > kAlongMargin && topOf(segment, above) < kBendM);
 }
 
 }  // namespace
@@ -59,7 +64,7 @@ std::vector<Segment> takeBackground(const Frame& frame, const Table& table, cons
                                     std::vector<Segment>& segments) {
   std::vector<Segment> background;
   const auto rest = std::stable_partition(segments.begin(), segments.end(), [&](const Segment& segment) {
-    return segment.pixels.empty() || !isBackground(placeOf(segment, frame, table, above));
+    return segment.pixels.empty() || !isBackground(segment, frame, table, above);
   });
   std::move(rest, segments.end(), std::back_inserter(background));
   segments.erase(rest, segments.end());

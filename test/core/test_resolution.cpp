@@ -167,3 +167,16 @@ TEST(Resolution, ResultsDoNotDependOnTheThreads) {
   config.runtime.threads = 4;
   EXPECT_EQ(cv::countNonZero(one.labels != segment(frame, config).labels), 0);
 }
+
+TEST(Resolution, LabelsOfBlocksAreThoseOfTheirMiddle) {
+  cv::Mat_<ushort> labels(5, 7);
+  for (int i = 0; i < 35; ++i) labels(i / 7, i % 7) = static_cast<ushort>(i);
+  const cv::Mat_<ushort> by_two = labelsOfBlocks(labels, 2), by_three = labelsOfBlocks(labels, 3);
+  ASSERT_EQ(by_two.size(), cv::Size(4, 3));
+  EXPECT_EQ(by_two(0, 0), 8);
+  EXPECT_EQ(by_two(1, 2), 3 * 7 + 5);
+  EXPECT_EQ(by_two(2, 3), 4 * 7 + 6) << "of a block that the picture's end cuts off, the last pixel";
+  ASSERT_EQ(by_three.size(), cv::Size(3, 2));
+  EXPECT_EQ(by_three(0, 0), 8);
+  EXPECT_EQ(cv::countNonZero(labelsOfBlocks(labels, 1) != labels), 0);
+}

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fixtures/cue_view.hpp"
+#include "fixtures/figure.hpp"
 #include "objectness_segmentation/common/angles.hpp"
 #include "objectness_segmentation/evaluation/box_fits.hpp"
 #include "objectness_segmentation/evaluation/box_overlap.hpp"
@@ -38,14 +39,6 @@ void expectSides(const BoxErrors& errors, double longer_mm, double shorter_mm, d
   EXPECT_NEAR(errors.sides_mm[0], longer_mm, 1e-6);
   EXPECT_NEAR(errors.sides_mm[1], shorter_mm, 1e-6);
   EXPECT_NEAR(errors.sides_mm[2], height_mm, 1e-6);
-}
-
-double value(const Figures& figures, const std::string& name) {
-  for (const auto& [column, value] : figures) {
-    if (column == name) return value;
-  }
-  ADD_FAILURE() << "no column " << name;
-  return -1;
 }
 
 }  // namespace
@@ -226,23 +219,23 @@ TEST(BoxTables, MeansOfObjectsSegmentedByGroupAndKind) {
   const std::vector<BoxRow> rows = summarizeBoxes(run, results);
   ASSERT_EQ(rows.size(), 4u);
   EXPECT_EQ(rows[0].by, "all");
-  EXPECT_EQ(value(rows[0].columns, "objects"), 3);
-  EXPECT_EQ(value(rows[0].columns, "segmented"), 2);
-  EXPECT_NEAR(value(rows[0].columns, "IoU_all"), 0.6, 1e-12);
-  EXPECT_NEAR(value(rows[0].columns, "IoU"), 0.7, 1e-12);
-  EXPECT_NEAR(value(rows[0].columns, "IoU50"), 1, 1e-12);
-  EXPECT_NEAR(value(rows[0].columns, "IoU70"), 0.5, 1e-12);
-  EXPECT_NEAR(value(rows[0].columns, "points_IoU"), 0.35, 1e-12);
-  EXPECT_NEAR(value(rows[0].columns, "yaw_deg"), 10, 1e-12);
-  EXPECT_NEAR(value(rows[0].columns, "long_mm"), 14.5, 1e-12);
-  EXPECT_NEAR(value(rows[0].columns, "height_mm"), 14.5, 1e-12);
-  EXPECT_NEAR(value(rows[0].columns, "sides_10mm"), 0.5, 1e-12);
+  EXPECT_EQ(figure(rows[0].columns, "objects"), 3);
+  EXPECT_EQ(figure(rows[0].columns, "segmented"), 2);
+  EXPECT_NEAR(figure(rows[0].columns, "IoU_all"), 0.6, 1e-12);
+  EXPECT_NEAR(figure(rows[0].columns, "IoU"), 0.7, 1e-12);
+  EXPECT_NEAR(figure(rows[0].columns, "IoU50"), 1, 1e-12);
+  EXPECT_NEAR(figure(rows[0].columns, "IoU70"), 0.5, 1e-12);
+  EXPECT_NEAR(figure(rows[0].columns, "points_IoU"), 0.35, 1e-12);
+  EXPECT_NEAR(figure(rows[0].columns, "yaw_deg"), 10, 1e-12);
+  EXPECT_NEAR(figure(rows[0].columns, "long_mm"), 14.5, 1e-12);
+  EXPECT_NEAR(figure(rows[0].columns, "height_mm"), 14.5, 1e-12);
+  EXPECT_NEAR(figure(rows[0].columns, "sides_10mm"), 0.5, 1e-12);
   EXPECT_EQ(rows[1].by + " " + rows[1].name, "group easy");
   EXPECT_EQ(rows[2].by + " " + rows[2].name, "kind box");
-  EXPECT_EQ(value(rows[2].columns, "objects"), 2);
+  EXPECT_EQ(figure(rows[2].columns, "objects"), 2);
   EXPECT_EQ(rows[3].name, "mug");
-  EXPECT_EQ(value(rows[3].columns, "segmented"), 0);
-  EXPECT_NEAR(value(rows[3].columns, "IoU_all"), 0.4, 1e-12);
+  EXPECT_EQ(figure(rows[3].columns, "segmented"), 0);
+  EXPECT_NEAR(figure(rows[3].columns, "IoU_all"), 0.4, 1e-12);
   EXPECT_NE(toText(rows).find("paper      kind       mug"), std::string::npos) << toText(rows);
   EXPECT_TRUE(toText(std::vector<BoxRow>{}).empty());
 }

@@ -51,13 +51,10 @@ PixelSets pixelsOf(const std::vector<Segment>& segments) {
   return sets;
 }
 
-/// Two boxes, the one on the left with a smaller one on top.
 class PieceMethods : public testing::Test {
  protected:
   PieceMethods() {
-    sim::Scene scene = smallScene();
-    scene.bodies.push_back(
-        {sim::Box{{0.07, 0.06, 0.08}}, Eigen::Isometry3d(Eigen::Translation3d(-0.15, 0, 0.14)), {9, 9, 200}, 40});
+    const sim::Scene scene = stackedScene();
     const SceneImages images = sim::takePicture(scene.bodies, scene.T_world_camera, smallSensor(), 1);
     frame_ = makeFrame(images.depth_mm, images.color, images.camera, {}).value;
     truth_ = images.true_labels;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "fixtures/figure.hpp"
 #include "fixtures/label_pictures.hpp"
 #include "objectness_segmentation/common/angles.hpp"
 #include "objectness_segmentation/evaluation/stability.hpp"
@@ -39,14 +40,6 @@ StillFrame frameOf(const std::vector<Thing>& things) {
   return frame;
 }
 
-double value(const Figures& figures, const std::string& name) {
-  for (const auto& [column, value] : figures) {
-    if (column == name) return value;
-  }
-  ADD_FAILURE() << "no column " << name;
-  return -1;
-}
-
 const cv::Rect kLeft(5, 5, 10, 10), kRight(30, 5, 20, 20);
 
 }  // namespace
@@ -55,12 +48,12 @@ TEST(Stability, NothingMoves) {
   const StillFrame frame = frameOf({{kLeft}, {kRight, {0.3, 0, 0}}});
   const StillFrame other_order = frameOf({{kRight, {0.3, 0, 0}}, {kLeft}});
   const Figures figures = measureStability({frame, other_order, frame});
-  EXPECT_EQ(value(figures, "frames"), 3);
-  EXPECT_EQ(value(figures, "count"), 2);
-  EXPECT_EQ(value(figures, "segment_IoU"), 1);
+  EXPECT_EQ(figure(figures, "frames"), 3);
+  EXPECT_EQ(figure(figures, "count"), 2);
+  EXPECT_EQ(figure(figures, "segment_IoU"), 1);
   for (const char* none :
        {"count_spread", "switches", "turn_median_deg", "turn_max_deg", "centre_spread_mm", "side_spread_mm"}) {
-    EXPECT_NEAR(value(figures, none), 0, 1e-5) << none;
+    EXPECT_NEAR(figure(figures, none), 0, 1e-5) << none;
   }
   EXPECT_TRUE(measureStability({}).empty());
   EXPECT_TRUE(measureStability({frame}).empty());
@@ -71,20 +64,20 @@ TEST(Stability, OfBoxesThatTurnShiftAndGrow) {
   const Figures figures = measureStability(
       {frameOf({{kLeft}, {kRight}}), frameOf({{kLeft, {0.02, 0, 0}, 10}, {kRight, {0, 0, 0}, 80, {0.06, 0.1, 0.2}}}),
        frameOf({{kLeft}, {kRight, {0, 0, 0}, 80, {0.06, 0.1, 0.26}}})});
-  EXPECT_NEAR(value(figures, "turn_max_deg"), 10, 1e-5);
-  EXPECT_NEAR(value(figures, "turn_median_deg"), 10, 1e-5) << "10, 10, 10 and 0";
+  EXPECT_NEAR(figure(figures, "turn_max_deg"), 10, 1e-5);
+  EXPECT_NEAR(figure(figures, "turn_median_deg"), 10, 1e-5) << "10, 10, 10 and 0";
   // Centres: 0, 20, 0 and three equal ones. Sides: those of the right one's height 200, 200, 260, of six times three.
   const double centre = (2 * 20. * 20 / 9 + 40. * 40 / 9) / 6, side = (2 * 20. * 20 + 40. * 40) / 18;
-  EXPECT_NEAR(value(figures, "centre_spread_mm"), std::sqrt(centre), 1e-6);
-  EXPECT_NEAR(value(figures, "side_spread_mm"), std::sqrt(side), 1e-6);
+  EXPECT_NEAR(figure(figures, "centre_spread_mm"), std::sqrt(centre), 1e-6);
+  EXPECT_NEAR(figure(figures, "side_spread_mm"), std::sqrt(side), 1e-6);
 }
 
 TEST(Stability, OfSegmentsThatChange) {
   // The right one is cut to 0.6, then to a third of that, which is another thing; the left one goes.
   const Figures figures = measureStability(
       {frameOf({{kLeft}, {kRight}}), frameOf({{kLeft}, {{30, 5, 20, 12}}}), frameOf({{{30, 5, 20, 4}}})});
-  EXPECT_NEAR(value(figures, "count"), 5. / 3, 1e-12);
-  EXPECT_NEAR(value(figures, "count_spread"), std::sqrt(2.) / 3, 1e-12);
-  EXPECT_NEAR(value(figures, "switches"), 2. / 2, 1e-12);
-  EXPECT_NEAR(value(figures, "segment_IoU"), (1 + 0.6) / 2, 1e-12);
+  EXPECT_NEAR(figure(figures, "count"), 5. / 3, 1e-12);
+  EXPECT_NEAR(figure(figures, "count_spread"), std::sqrt(2.) / 3, 1e-12);
+  EXPECT_NEAR(figure(figures, "switches"), 2. / 2, 1e-12);
+  EXPECT_NEAR(figure(figures, "segment_IoU"), (1 + 0.6) / 2, 1e-12);
 }

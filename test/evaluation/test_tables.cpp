@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "fixtures/figure.hpp"
 #include "objectness_segmentation/evaluation/tables.hpp"
 
 using namespace objectness;
 using namespace objectness::evaluation;
+using namespace objectness_test;
 
 namespace {
 
@@ -17,14 +19,6 @@ SceneResult resultOf(const std::string& scene, double recall, double ms, double 
   result.timings_ms = {{"table", 1}, {"total", ms}};
   result.peak_mib = peak_mib;
   return result;
-}
-
-double value(const Figures& figures, const std::string& name) {
-  for (const auto& [column, value] : figures) {
-    if (column == name) return value;
-  }
-  ADD_FAILURE() << "no column " << name;
-  return -1;
 }
 
 }  // namespace
@@ -40,13 +34,13 @@ TEST(Tables, MeansMediansAndPeaksByGroup) {
   const auto rows = summarize(run, results);
   ASSERT_EQ(rows.size(), 2u);  // no parts scored; a group "all" has no row of its own
   EXPECT_EQ(rows[0].group, "easy");
-  EXPECT_EQ(value(rows[0].columns, "scenes"), 2);
-  EXPECT_NEAR(value(rows[0].columns, "R"), 0.75, 1e-12);
-  EXPECT_NEAR(value(rows[0].columns, "ms"), 15, 1e-12);
+  EXPECT_EQ(figure(rows[0].columns, "scenes"), 2);
+  EXPECT_NEAR(figure(rows[0].columns, "R"), 0.75, 1e-12);
+  EXPECT_NEAR(figure(rows[0].columns, "ms"), 15, 1e-12);
   EXPECT_EQ(rows[1].group, "ALL");
-  EXPECT_NEAR(value(rows[1].columns, "R"), 0.5, 1e-12);
-  EXPECT_NEAR(value(rows[1].columns, "ms"), 20, 1e-12);
-  EXPECT_NEAR(value(rows[1].columns, "peak_mib"), 50, 1e-12);
+  EXPECT_NEAR(figure(rows[1].columns, "R"), 0.5, 1e-12);
+  EXPECT_NEAR(figure(rows[1].columns, "ms"), 20, 1e-12);
+  EXPECT_NEAR(figure(rows[1].columns, "peak_mib"), 50, 1e-12);
   EXPECT_NE(toText(rows).find("paper      object     ALL"), std::string::npos) << toText(rows);
 }
 
@@ -58,18 +52,18 @@ TEST(Tables, ProposalsAreMeansOverTheScenesThatHaveThem) {
   many.objects = 9;
   many.best_box_precision = 0.5;
   const Figures pooled = poolProposals({toFigures(few), {}, toFigures(many)});
-  EXPECT_NEAR(value(pooled, "boxed_objects"), 10, 1e-12);
-  EXPECT_NEAR(value(pooled, "box50_1"), 0.5, 1e-12);
-  EXPECT_NEAR(value(pooled, "best_P"), 0.75, 1e-12);
+  EXPECT_NEAR(figure(pooled, "boxed_objects"), 10, 1e-12);
+  EXPECT_NEAR(figure(pooled, "box50_1"), 0.5, 1e-12);
+  EXPECT_NEAR(figure(pooled, "best_P"), 0.75, 1e-12);
   EXPECT_TRUE(poolProposals({{}, {}}).empty());
 }
 
 TEST(Tables, GapsAreMeansAndLargestOfTheScenesThatHaveThem) {
   const Figures pooled = poolGaps({{{"selection_gap", 0.1}}, {}, {{"selection_gap", 0}, {"annealing_gap", 0.04}}});
   EXPECT_EQ(pooled.size(), 4u);
-  EXPECT_NEAR(value(pooled, "selection_gap"), 0.05, 1e-12);
-  EXPECT_NEAR(value(pooled, "selection_gap_max"), 0.1, 1e-12);
-  EXPECT_NEAR(value(pooled, "annealing_gap"), 0.04, 1e-12);
-  EXPECT_NEAR(value(pooled, "annealing_gap_max"), 0.04, 1e-12);
+  EXPECT_NEAR(figure(pooled, "selection_gap"), 0.05, 1e-12);
+  EXPECT_NEAR(figure(pooled, "selection_gap_max"), 0.1, 1e-12);
+  EXPECT_NEAR(figure(pooled, "annealing_gap"), 0.04, 1e-12);
+  EXPECT_NEAR(figure(pooled, "annealing_gap_max"), 0.04, 1e-12);
   EXPECT_TRUE(poolGaps({{}}).empty());
 }

@@ -9,9 +9,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <string>
 
-#include "fixtures/labelled_scene.hpp"
+#include "fixtures/evaluate_tool.hpp"
 #include "fixtures/leaf_model.hpp"
-#include "fixtures/tool_test.hpp"
 
 using namespace objectness_test;
 using Json = nlohmann::json;
@@ -21,62 +20,6 @@ namespace {
 
 const char* const kColumns[] = {"P",   "R",     "OvP",  "OvR",  "OvF", "BdP", "BdR",     "BdF",
                                 "F75", "extra", "F_os", "F_us", "WO",  "ms",  "peak_mib"};
-
-/// Four small scenes of two groups; the quickest of the methods is run.
-class EvaluateTool : public ToolTest {
- protected:
-  static void SetUpTestSuite() {
-    scenes_ = new TemporaryFolder;
-    for (int i = 1; i <= 4; ++i) {
-      saveLabelledScene(*scenes_ / ("set/s" + std::to_string(i)), 0.03 + 0.01 * i);
-    }
-    writeBytes(*scenes_ / "set_groups.csv", "scene,group\ns1,easy\ns2,easy\ns3,hard\ns4,hard\n");
-  }
-  static void TearDownTestSuite() {
-    delete scenes_;
-    scenes_ = nullptr;
-  }
-
-  Outcome run(const std::string& arguments) const { return ToolTest::run("evaluate", arguments); }
-  /// Evaluates into folder `report`.
-  Outcome evaluate(const std::string& report, const std::string& arguments) const {
-    return run("--method mps --report " + (folder_ / report) + " " + arguments);
-  }
-  Json readJson(const std::string& path) const { return Json::parse(readBytes(folder_ / path)); }
-  std::string copyScene(const std::string& scene, const std::string& name) const {
-    fs::create_directories(folder_ / "own");
-    fs::copy(*scenes_ / ("set/" + scene), folder_ / ("own/" + name));
-    return folder_ / ("own/" + name);
-  }
-  /// The figures without those that differ from run to run.
-  Json withoutTimes(Json summary) const {
-    for (auto& method : summary) {
-      for (auto& level : method) {
-        for (auto& group : level) {
-          group.erase("ms");
-          group.erase("peak_mib");
-        }
-      }
-    }
-    return summary;
-  }
-  std::map<std::string, fs::file_time_type> resultTimes(const std::string& report) const {
-    std::map<std::string, fs::file_time_type> times;
-    for (const auto& file : fs::recursive_directory_iterator(folder_ / (report + "/results"))) {
-      times[file.path().string()] = file.last_write_time();
-    }
-    return times;
-  }
-  static std::string all() { return *scenes_ / "set"; }
-  void expectOneError(const Outcome& outcome, const std::string& text) const {
-    EXPECT_EQ(outcome.exit_status, 1);
-    EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
-  }
-
-  static TemporaryFolder* scenes_;
-};
-
-TemporaryFolder* EvaluateTool::scenes_ = nullptr;
 
 }  // namespace
 
@@ -255,77 +198,6 @@ TEST_F(EvaluateTool, TheAblationPrintsARowForEachPartSwitchedOff) {
   std::snprintf(cell, sizeof cell, " %.3f |", recall("groups_single_pieces"));
   EXPECT_NE(table.find("| groups | single pieces |"), std::string::npos) << table;
   EXPECT_NE(table.find(cell, table.find("single pieces")), std::string::npos) << table;
-}
-
-TEST_F(EvaluateTool, ReportsByCameraWithBoxesAloneBesideLabels) {
-  const std::string boxed = copyScene("s1", "s1");  // in another data set, of the same name
-  fs::remove(boxed + "/labels.png");
-  writeBytes(boxed + "/objects.yaml", "objects:\n- {seed: [160, 120], box: [0, 0, 5, 5]}\n");
-  const Outcome outcome = run("--method mps --method oracle --method clustering --report " + (folder_ / "report") +
-                              " " + all() + " " + (folder_ / "own"));
-  ASSERT_EQ(outcome.exit_status, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("By camera"), std::string::npos) << outcome.out;
-  const std::string csv = readBytes(folder_ / "report/cameras.csv");
-  EXPECT_EQ(csv.find("method,camera,group,scenes,labelled,P,R,OvF,BdF,F75,extra,objects,found,tight,merged,segments,"
-                     "stray,ms\n"),
-            0u)
-      << csv;
-  for (const char* row :
-       {"\nmps,own,,1,0,,,,,,,1,0,0,0,", "\nmps,set,easy,2,2,", "\nmps,set,,4,4,", "\noracle,set,,4,4,"})
-    EXPECT_NE(csv.find(row), std::string::npos) << row << "\n" << csv;
-  EXPECT_EQ(csv.find("\noracle,own,"), std::string::npos) << "it is told labels, and there are none";
-  EXPECT_NE(readBytes(folder_ / "report/picture_boxes.csv").find("\nmps,own/s1,1,0,"), std::string::npos);
-  EXPECT_TRUE(fs::exists(folder_ / "report/results/mps/own/s1/labels.png"));
-  EXPECT_EQ(readJson("report/run.json")["scenes"][0]["camera"], "own");
-  const Json summary = readJson("report/summary.json");
-  EXPECT_EQ(summary["mps"]["object"]["ALL"]["scenes"], 4);
-  EXPECT_GE(summary["oracle"]["object"]["ALL"]["OvF"], summary["clustering"]["object"]["ALL"]["OvF"]);
-  if (fs::exists(folder_ / "report/report.html")) {
-    EXPECT_NE(readBytes(folder_ / "report/report.html").find("<h2>By camera</h2>"), std::string::npos);
-  }
-}
-
-TEST_F(EvaluateTool, ReportsBoxesInSpaceOfSimulatedScenes) {
-  const std::string scene = folder_ / "simulated";
-  ASSERT_EQ(ToolTest::run("make_scene", "--level shapes --seed 3 --out " + scene).exit_status, 0);
-  const Outcome outcome =
-      run("--method objectness --method lccp --method oracle --report " + (folder_ / "report") + " " + scene);
-  ASSERT_EQ(outcome.exit_status, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("Boxes in space"), std::string::npos) << outcome.out;
-  const std::string csv = readBytes(folder_ / "report/boxes.csv"), each = readBytes(folder_ / "report/objects.csv");
-  const auto count = readJson("report/results/lccp/simulated.json")["box_fits"].size();
-  EXPECT_GT(count, 0u);
-  EXPECT_EQ(std::count(each.begin(), each.end(), '\n'), 1 + 3 * static_cast<long>(count));
-  for (const char* method : {"objectness", "lccp", "oracle"}) {
-    EXPECT_NE(csv.find(std::string(method) + ",all,,"), std::string::npos) << csv;
-    double best = 0;
-    const Json result = readJson(std::string("report/results/") + method + "/simulated.json");
-    for (const Json& fit : result["box_fits"]) {
-      best = std::max(best, fit["overlap"].get<double>());
-    }
-    EXPECT_GT(best, 0.3) << method;
-  }
-}
-
-TEST_F(EvaluateTool, TellsHowStillTheResultsOfAStillSceneAre) {
-  for (const char* frame : {"frame_0", "frame_1", "frame_2"}) {
-    copyScene("s1", frame);
-    fs::remove(folder_ / (std::string("own/") + frame + "/labels.png"));
-  }
-  const Outcome outcome = evaluate("report", "--method objectness --still " + (folder_ / "own"));
-  ASSERT_EQ(outcome.exit_status, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("Stability"), std::string::npos) << outcome.out;
-  const std::string csv = readBytes(folder_ / "report/stability.csv");
-  EXPECT_EQ(csv.find("method,sequence,frames,count,count_spread,switches,segment_IoU,"), 0u) << csv;
-  for (const char* method : {"mps", "objectness"}) {
-    const auto row = csv.find(std::string("\n") + method + ",own,3,");
-    ASSERT_NE(row, std::string::npos) << csv;
-    EXPECT_NE(csv.find(",0.00000,0.00000,1.00000,0.00000,0.00000,0.00000,0.00000", row), std::string::npos)
-        << "the same picture three times:\n"
-        << csv;
-  }
-  expectOneError(evaluate("other", folder_ / "own"), "with a labels.png or objects.yaml");
-  ToolTest::expectUsageError("evaluate", "--report r --still --shard 1/2 scenes", "--still: needs all frames");
 }
 
 TEST_F(EvaluateTool, ReportThatCannotBeWrittenAndNoScenes) {

@@ -35,4 +35,7 @@ Frame averageBlocks(const Frame& frame, int factor);
 /// or of the blocks around the one next in depth, when that is much nearer; -1 without depth.
 std::vector<int> blocksOf(const Frame& frame, const Frame& coarse, int factor);
 
+/// Labels, such as a scene's truth, for the pixels of averageBlocks(): of each block those of the pixel in its middle.
+cv::Mat_<ushort> labelsOfBlocks(const cv::Mat_<ushort>& labels, int factor);
+
 }  // namespace objectness

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "finished_segments.hpp"
+
+#include "objectness_segmentation/segments/background.hpp"
+#include "objectness_segmentation/segments/resting_boxes.hpp"
+
+namespace objectness {
+
+void finishSegments(const Frame& frame, const Config& config, const Stages& stage, Segmentation& result) {
+  if (config.background.judged) {
+    const auto background =
+        stage("background", [&] { return takeBackground(frame, result.table, result.object_points, result.segments); });
+    stage.count("background", background.size());
+  }
+  stage("resting_boxes",
+        [&] { restBoxes(frame, result.normals, result.table, result.object_points, result.segments); });
+  keepMeasured(frame.bridged, result.segments);
+  result.labels = labelImage(result.object_points.on_table, frame.bridged, result.segments);
+  stage.count("segments", result.segments.size());
+}
+
+}  // namespace objectness

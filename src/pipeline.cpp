@@ -13,7 +13,7 @@
 #include "objectness_segmentation/scene/refined_normals.hpp"
 #include "objectness_segmentation/scene/surface_check.hpp"
 #include "objectness_segmentation/search/angle_search.hpp"
-#include "objectness_segmentation/segments/resting_boxes.hpp"
+#include "objectness_segmentation/segments/whole_boxes.hpp"
 #include "objectness_segmentation/selection/hypotheses.hpp"
 
 namespace objectness {
@@ -240,9 +240,12 @@ void run(const Frame& frame, const Config& config, const LearnedObjectness* mode
     searchBoxes(frame, config, stage, result);
   }
   if (!result.status.ok()) return;
-  stage("resting_boxes", [&] { restBoxes(frame, normals, result.table, result.object_points, result.segments); });
   keepMeasured(frame.bridged, result.segments);
   result.labels = labelImage(result.object_points.on_table, frame.bridged, result.segments);
+  stage("whole_boxes", [&] {
+    completeBoxes(frame, normals, result.table, result.object_points, result.labels, result.segments,
+                  config.runtime.threads);
+  });
   stage.count("segments", result.segments.size());
   remarkOnScale(frame, result);
 }

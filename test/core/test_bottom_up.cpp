@@ -95,7 +95,7 @@ TEST(BottomUp, IsTheDefault) {
   const Segmentation result = segment(pictureOf(kStack).frame, Config());
   for (const auto& entry : result.report.timings_ms) stages.push_back(entry.first);
   EXPECT_EQ(stages, (std::vector<std::string>{"normals", "table", "refined_normals", "object_points", "surface_cues",
-                                              "pieces", "groups", "selection", "segments", "resting_boxes", "total"}));
+                                              "pieces", "groups", "selection", "segments", "whole_boxes", "total"}));
   Config paper;
   paper.grouping.enabled = false;
   paper.search.angle_step_deg = 45;

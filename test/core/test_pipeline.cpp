@@ -140,8 +140,8 @@ TEST(Pipeline, ReportsWhatWasDone) {
     EXPECT_GE(ms, 0);
   }
   EXPECT_EQ(stages, (std::vector<std::string>{"normals", "table", "refined_normals", "object_points", "surface_cues",
-                                              "cue_points", "search", "filter", "selection", "segments",
-                                              "resting_boxes", "total"}));
+                                              "cue_points", "search", "filter", "selection", "segments", "whole_boxes",
+                                              "total"}));
   EXPECT_GT(countOf(result, "boxes_sampled"), countOf(result, "boxes_scored"));
   EXPECT_GT(countOf(result, "boxes_scored"), countOf(result, "boxes_passed"));
   EXPECT_GT(countOf(result, "boxes_passed"), countOf(result, "hypotheses"));

@@ -67,6 +67,7 @@ std::vector<Segment> cutSegments(const Frame& frame, const Eigen::Isometry3d& T_
 
 /// What segments[0] is called in label images, clouds, messages and pictures; 1 is the table, 0 nothing.
 constexpr int kFirstObjectLabel = 2;
+constexpr int kTableLabel = 1;
 
 /// Takes the pixels of Frame::bridged out of the segments, and segments without any other out of the list.
 void keepMeasured(const std::vector<int>& bridged, std::vector<Segment>& segments);

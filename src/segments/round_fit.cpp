@@ -159,13 +159,13 @@ void measureRadius(const SeenThing& thing, const std::vector<WallPoint>& wall, R
   }
   const double at_foot = radiusAtFoot(thing, profile);
   if (at_foot > fit.radius_m) fit.radius_m = at_foot, fit.widest_m = thing.base_m;
-  // Where only an inner wall or a rim is seen, bands of the outer wall fall short.
+  // Where only an inner wall or a rim is seen, bands of the outer wall fall short. A handle is no part of the rim.
   std::vector<float> all;
   for (const SeenPoint& q : thing.points) {
-    all.push_back(static_cast<float>((q.place.head<2>().cast<double>() - fit.axis).norm()));
+    const double radius = (q.place.head<2>().cast<double>() - fit.axis).norm();
+    if (fit.radius_m == 0 || radius <= kMaxGain * fit.radius_m) all.push_back(static_cast<float>(radius));
   }
-  const double most = shareBelow(kMostOfAll, all);
-  fit.radius_m = fit.radius_m > 0 ? std::max(fit.radius_m, std::min(most, kMaxGain * fit.radius_m)) : most;
+  if (!all.empty()) fit.radius_m = std::max<double>(fit.radius_m, shareBelow(kMostOfAll, all));
 }
 
 void measureBeyond(const SeenThing& thing, RoundFit& fit) {

@@ -191,6 +191,7 @@ TEST(Supports, NeverGoInACircle) {
       request.level = level;
       request.seed = 5;
       request.index = index;
+      request.camera = sim::DepthSensor().camera;
       const auto scene = sim::generateScene(request);
       ASSERT_TRUE(scene.ok());
       const auto truth = sim::simulateFrame(scene.value, scene.value.T_world_camera, sim::DepthSensor(), index);

@@ -53,8 +53,8 @@ std::uint32_t labelOf(const SegmentedFrame& result, int segment) {
 
 std::uint32_t supportOf(const SegmentedFrame& result, const objectness::Support& support) {
   if (support.kind == objectness::SupportKind::kTable) return SegmentedObject::LABEL_TABLE;
-  const bool segment = support.kind == objectness::SupportKind::kSegment;
-  return segment ? labelOf(result, support.segment) : SegmentedObject::LABEL_NOTHING;
+  if (support.kind == objectness::SupportKind::kSegment) return labelOf(result, support.segment);
+  return SegmentedObject::LABEL_NOTHING;
 }
 
 SegmentedObject toObject(const SegmentedFrame& result, std::size_t rank, const std_msgs::Header& header) {

@@ -2,7 +2,7 @@
 #include "finished_segments.hpp"
 
 #include "objectness_segmentation/segments/background.hpp"
-#include "objectness_segmentation/segments/resting_boxes.hpp"
+#include "objectness_segmentation/segments/whole_boxes.hpp"
 
 namespace objectness {
 
@@ -12,10 +12,12 @@ void finishSegments(const Frame& frame, const Config& config, const Stages& stag
         stage("background", [&] { return takeBackground(frame, result.table, result.object_points, result.segments); });
     stage.count("background", background.size());
   }
-  stage("resting_boxes",
-        [&] { restBoxes(frame, result.normals, result.table, result.object_points, result.segments); });
   keepMeasured(frame.bridged, result.segments);
   result.labels = labelImage(result.object_points.on_table, frame.bridged, result.segments);
+  stage("whole_boxes", [&] {
+    completeBoxes(frame, result.normals, result.table, result.object_points, result.labels, result.segments,
+                  config.runtime.threads);
+  });
   stage.count("segments", result.segments.size());
 }
 

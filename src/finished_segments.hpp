@@ -6,8 +6,8 @@
 
 namespace objectness {
 
-/// What follows once `result` has its segments, however they were chosen: background is taken out, boxes come to rest,
-/// what was not measured goes, and labels are drawn.
+/// What follows once `result` has its segments, however they were chosen: background is taken out, what was not
+/// measured goes, labels are drawn, and boxes become those of whole objects.
 void finishSegments(const Frame& frame, const Config& config, const Stages& stage, Segmentation& result);
 
 }  // namespace objectness

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "needed_resolution.hpp"
 
-#include <algorithm>
-
 namespace objectness {
 namespace {
 
@@ -48,8 +46,7 @@ void spreadOverPixels(const Frame& frame, const Frame& coarse, int factor, Segme
     result.segments[segment_of[blocks[i]]].pixels.push_back(static_cast<int>(i));
   }
   keepMeasured(frame.bridged, result.segments);
-  const auto unseen = [](const Segment& segment) { return segment.pixels.empty(); };
-  result.segments.erase(std::remove_if(result.segments.begin(), result.segments.end(), unseen), result.segments.end());
+  dropEmpty(result.segments);
   const bool labelled = !result.object_points.on_table.empty() && result.status.ok();
   result.labels = labelled ? labelImage(result.object_points.on_table, frame.bridged, result.segments)
                            : cv::Mat_<ushort>(size, static_cast<ushort>(0));

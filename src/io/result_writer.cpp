@@ -37,6 +37,18 @@ Json toJson(const Table& table) {
           {"hull_measured", measured}};
 }
 
+/// Label of what an object stands on: 0 where it is nothing that has one.
+int labelOf(const Support& support) {
+  if (support.kind == SupportKind::kTable) return kTableLabel;
+  return support.kind == SupportKind::kSegment ? support.segment + kFirstObjectLabel : 0;
+}
+
+Json labelsOf(const std::vector<int>& segments) {
+  Json labels = Json::array();
+  for (const int segment : segments) labels.push_back(segment + kFirstObjectLabel);
+  return labels;
+}
+
 Json toJson(const Segment& segment, std::size_t label) {
   return {{"label", label},
           {"position", toJson(segment.box.T_camera_box.translation())},
@@ -48,7 +60,15 @@ Json toJson(const Segment& segment, std::size_t label) {
             {"outer_edges", segment.cues.outer_edges},
             {"straddling", segment.cues.straddling},
             {"free_space", segment.cues.free_space}}},
-          {"points", segment.pixels.size()}};
+          {"points", segment.pixels.size()},
+          {"round", segment.round},
+          {"supported_by", labelOf(segment.support)},
+          {"base_height", segment.support.height_m},
+          {"supports", labelsOf(segment.carried)},
+          {"visible_box",
+           {{"position", toJson(segment.visible_box.T_camera_box.translation())},
+            {"orientation", orientation(segment.visible_box.T_camera_box.linear())},
+            {"size", toJson(segment.visible_box.size_m)}}}};
 }
 
 Json toJson(const Report& report) {

@@ -26,6 +26,7 @@ static_assert(static_cast<int>(StatusCode::kInternalError) == SegmentedObjectArr
 static_assert(static_cast<int>(StatusCode::kNoTransform) == SegmentedObjectArray::NO_TRANSFORM);
 static_assert(static_cast<int>(StatusCode::kNoInput) == SegmentedObjectArray::NO_INPUT);
 static_assert(objectness::kFirstObjectLabel == SegmentedObject::LABEL_FIRST_OBJECT);
+static_assert(objectness::kTableLabel == SegmentedObject::LABEL_TABLE);
 
 std::uint64_t countNamed(const objectness::Report& report, const std::string& name) {
   for (const auto& [key, count] : report.counts) {
@@ -44,6 +45,16 @@ std::vector<int> inputPixels(const SegmentedFrame& result, const std::vector<int
     in_input.push_back(v * result.step * result.input_width + u * result.step);
   }
   return in_input;
+}
+
+std::uint32_t labelOf(const SegmentedFrame& result, int segment) {
+  return static_cast<std::uint32_t>(identityOf(result, static_cast<std::size_t>(segment)).label);
+}
+
+std::uint32_t supportOf(const SegmentedFrame& result, const objectness::Support& support) {
+  if (support.kind == objectness::SupportKind::kTable) return SegmentedObject::LABEL_TABLE;
+  if (support.kind == objectness::SupportKind::kSegment) return labelOf(result, support.segment);
+  return SegmentedObject::LABEL_NOTHING;
 }
 
 SegmentedObject toObject(const SegmentedFrame& result, std::size_t rank, const std_msgs::Header& header) {
@@ -68,6 +79,14 @@ SegmentedObject toObject(const SegmentedFrame& result, std::size_t rank, const s
   object.indices.header = header;
   object.indices.indices = inputPixels(result, segment.pixels);
   object.cloud = extractCloud(result.frame, segment.pixels, header);
+  object.visible_pose = toPose(segment.visible_box.T_camera_box);
+  object.visible_dimensions.x = segment.visible_box.size_m.x();
+  object.visible_dimensions.y = segment.visible_box.size_m.y();
+  object.visible_dimensions.z = segment.visible_box.size_m.z();
+  object.round = segment.round;
+  object.supported_by = supportOf(result, segment.support);
+  object.base_height = static_cast<float>(segment.support.height_m);
+  for (const int carried : segment.carried) object.supports.push_back(labelOf(result, carried));
   return object;
 }
 

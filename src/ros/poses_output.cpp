@@ -33,6 +33,7 @@ void moveToFrame(SegmentedFrame& result, const Eigen::Isometry3d& T_target_camer
   table.T_table_camera = table.T_table_camera * T_target_camera.inverse();
   for (objectness::Segment& segment : result.segmentation.segments) {
     segment.box.T_camera_box = T_target_camera * segment.box.T_camera_box;
+    segment.visible_box.T_camera_box = T_target_camera * segment.visible_box.T_camera_box;
   }
   for (objectness::RankedBox& proposal : result.segmentation.proposals) {
     proposal.box.T_camera_box = T_target_camera * proposal.box.T_camera_box;

@@ -126,6 +126,28 @@ std::vector<Segment> cutSegments(const Frame& frame, const Eigen::Isometry3d& T_
   return segments;
 }
 
+void dropEmpty(std::vector<Segment>& segments) {
+  std::vector<int> moved(segments.size(), -1);
+  std::vector<Segment> kept;
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    if (segments[k].pixels.empty()) continue;
+    moved[k] = static_cast<int>(kept.size());
+    kept.push_back(std::move(segments[k]));
+  }
+  for (Segment& segment : kept) {
+    if (segment.support.kind == SupportKind::kSegment) {
+      segment.support.segment = moved[segment.support.segment];
+      if (segment.support.segment < 0) segment.support.kind = SupportKind::kOther;
+    }
+    std::vector<int> carried;
+    for (const int other : segment.carried) {
+      if (moved[other] >= 0) carried.push_back(moved[other]);
+    }
+    segment.carried = std::move(carried);
+  }
+  segments = std::move(kept);
+}
+
 void keepMeasured(const std::vector<int>& bridged, std::vector<Segment>& segments) {
   if (bridged.empty()) return;
   for (Segment& segment : segments) {
@@ -134,8 +156,7 @@ void keepMeasured(const std::vector<int>& bridged, std::vector<Segment>& segment
                         std::back_inserter(measured));
     segment.pixels = std::move(measured);
   }
-  segments.erase(std::remove_if(segments.begin(), segments.end(), [](const Segment& s) { return s.pixels.empty(); }),
-                 segments.end());
+  dropEmpty(segments);
 }
 
 cv::Mat_<ushort> labelImage(const cv::Mat_<uchar>& on_table, const std::vector<int>& bridged,

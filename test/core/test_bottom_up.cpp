@@ -96,7 +96,7 @@ TEST(BottomUp, IsTheDefault) {
   for (const auto& entry : result.report.timings_ms) stages.push_back(entry.first);
   EXPECT_EQ(stages,
             (std::vector<std::string>{"normals", "table", "refined_normals", "object_points", "surface_cues", "pieces",
-                                      "groups", "selection", "segments", "background", "resting_boxes", "total"}));
+                                      "groups", "selection", "segments", "background", "whole_boxes", "total"}));
   Config paper;
   paper.grouping.enabled = false;
   paper.search.angle_step_deg = 45;

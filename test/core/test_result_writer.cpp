@@ -36,6 +36,11 @@ struct Sample {
     segment.box.size_m = {0.1, 0.2, 0.3};
     segment.box.T_camera_box.translate(Eigen::Vector3d(0, 0, 1))
         .rotate(Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()));
+    segment.visible_box.size_m = {0.05, 0.2, 0.25};
+    segment.visible_box.T_camera_box.translate(Eigen::Vector3d(0, 0.125, 1));
+    segment.round = true;
+    segment.support = {SupportKind::kSegment, 3, 0.0625};
+    segment.carried = {1, 4};
     for (int u = 45; u < 55; ++u) {
       segment.pixels.push_back(50 * 100 + u);
       result.labels(50, u) = 2;
@@ -50,6 +55,14 @@ struct Sample {
 
 }  // namespace
 
+TEST(ResultWriter, NamesTheTableAndWhatHasNoLabel) {
+  Sample sample;
+  sample.result.segments[0].support = {SupportKind::kTable, -1, 0};
+  EXPECT_EQ(nlohmann::json::parse(toJson("", sample.result))["objects"][0]["supported_by"], 1);
+  sample.result.segments[0].support = {SupportKind::kOther, -1, 0.1};
+  EXPECT_EQ(nlohmann::json::parse(toJson("", sample.result))["objects"][0]["supported_by"], 0);
+}
+
 TEST(ResultWriter, JsonHoldsEverything) {
   const auto json = nlohmann::json::parse(toJson("a \"scene\"", Sample().result));
   EXPECT_EQ(json["input"], "a \"scene\"");
@@ -63,6 +76,13 @@ TEST(ResultWriter, JsonHoldsEverything) {
   EXPECT_EQ(json["table"]["hull_measured"], nlohmann::json({true, false, true}));
   const auto& object = json["objects"][0];
   EXPECT_EQ(object["label"], 2);
+  EXPECT_EQ(object["visible_box"]["position"], nlohmann::json({0.0, 0.125, 1.0}));
+  EXPECT_EQ(object["visible_box"]["orientation"], nlohmann::json({0.0, 0.0, 0.0, 1.0}));
+  EXPECT_EQ(object["visible_box"]["size"], nlohmann::json({0.05, 0.2, 0.25}));
+  EXPECT_EQ(object["round"], true);
+  EXPECT_EQ(object["supported_by"], 5);
+  EXPECT_EQ(object["base_height"], 0.0625);
+  EXPECT_EQ(object["supports"], nlohmann::json({3, 6}));
   EXPECT_EQ(object["size"], nlohmann::json({0.1, 0.2, 0.3}));
   EXPECT_NEAR(object["orientation"][2], std::sqrt(0.5), 1e-12);
   EXPECT_NEAR(object["orientation"][3], std::sqrt(0.5), 1e-12);

@@ -237,3 +237,24 @@ TEST(Geodesic, IsTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(cv::countNonZero(other != owner), 0) << threads;
   }
 }
+
+TEST(Segments, WhatIsLeftWithoutPixelsGoesAndTheOthersKeepTheirSupports) {
+  std::vector<Segment> segments(4);
+  segments[0].pixels = {1};
+  segments[2].pixels = {2, 3};
+  segments[3].pixels = {4};
+  segments[2].support = {SupportKind::kSegment, 1, 0.1};  // which goes
+  segments[3].support = {SupportKind::kSegment, 2, 0.2};
+  segments[1].carried = {2};
+  segments[2].carried = {3};
+  dropEmpty(segments);
+  ASSERT_EQ(segments.size(), 3u);
+  EXPECT_EQ(segments[1].pixels, (std::vector<int>{2, 3}));
+  EXPECT_EQ(segments[1].support.kind, SupportKind::kOther);
+  EXPECT_EQ(segments[1].support.segment, -1);
+  EXPECT_EQ(segments[1].support.height_m, 0.1);
+  EXPECT_EQ(segments[1].carried, std::vector<int>{2});
+  EXPECT_EQ(segments[2].support.kind, SupportKind::kSegment);
+  EXPECT_EQ(segments[2].support.segment, 1);
+  EXPECT_EQ(segments[0].support.kind, SupportKind::kTable);
+}

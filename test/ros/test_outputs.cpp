@@ -52,6 +52,32 @@ TEST(ObjectsMessage, HoldsWhatTheSegmentationHolds) {
   }
 }
 
+TEST(ObjectsMessage, TellsWhatStandsOnWhat) {
+  SegmentedFrame result = makeResult();
+  std::vector<objectness::Segment>& segments = result.segmentation.segments;
+  segments[0].support = {objectness::SupportKind::kSegment, 1, 0.125};
+  segments[0].round = true;
+  segments[0].visible_box.size_m = {0.1, 0.2, 0.3};
+  segments[0].visible_box.T_camera_box.translation() << 1, 2, 3;
+  segments[1].carried = {0};
+  result.identities.resize(2);
+  result.identities[0].label = 7;
+  result.identities[1].label = 5;
+  SegmentedObjectArray message = toObjectsMessage(result, makeHeader());
+  EXPECT_EQ(message.objects[0].supported_by, 5u);
+  EXPECT_EQ(message.objects[0].base_height, 0.125F);
+  EXPECT_TRUE(message.objects[0].round);
+  EXPECT_TRUE(message.objects[0].supports.empty());
+  EXPECT_EQ(message.objects[0].visible_dimensions.y, 0.2);
+  EXPECT_EQ(message.objects[0].visible_pose.position.z, 3);
+  EXPECT_EQ(message.objects[1].supported_by, SegmentedObject::LABEL_TABLE);
+  EXPECT_FALSE(message.objects[1].round);
+  EXPECT_EQ(message.objects[1].supports, (std::vector<std::uint32_t>{7}));
+  segments[0].support = {objectness::SupportKind::kOther, -1, 0.1};
+  message = toObjectsMessage(result, makeHeader());
+  EXPECT_EQ(message.objects[0].supported_by, SegmentedObject::LABEL_NOTHING);
+}
+
 TEST(ObjectsMessage, CountsNoBoxesWhereNoneWereSampled) {
   SegmentedFrame result = makeResult();
   result.segmentation.report.counts = {{"hypotheses", 7}};

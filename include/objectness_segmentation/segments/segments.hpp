@@ -6,6 +6,7 @@
 #include "objectness_segmentation/common/range.hpp"
 #include "objectness_segmentation/integral/cue_points.hpp"
 #include "objectness_segmentation/objectness/objectness.hpp"
+#include "objectness_segmentation/segments/support.hpp"
 
 namespace objectness {
 
@@ -34,8 +35,14 @@ struct SegmentsConfig {
 
 /// One object: its box and the pixels that are its own.
 struct Segment {
+  /// Of the whole object, from its support to its top (completeBoxes()); before that step, as visible_box.
   OrientedBox box;
-  double objectness = 0;  ///< paper's method: delta of Eq. 6; default: expected overlap with an object, 0..1
+  /// What the segmentation itself says. Default method: the tight box of what is seen; paper's: the selected box.
+  OrientedBox visible_box;
+  bool round = false;        ///< a thing of revolution about the box's z axis, its yaw is that of the view
+  Support support;           ///< what it stands on
+  std::vector<int> carried;  ///< indices of the segments that stand on it, ascending
+  double objectness = 0;     ///< paper's method: delta of Eq. 6; default: expected overlap with an object, 0..1
   /// Paper's method: as CueValues says. Default: edge_density, outer_edges and straddling of GroupCues, free_space is
   /// GroupCues::free (a share of the box's volume), free_voxels 0.
   CueValues cues;
@@ -60,6 +67,10 @@ std::vector<Segment> cutSegments(const Frame& frame, const Eigen::Isometry3d& T_
 
 /// What segments[0] is called in label images, clouds, messages and pictures; 1 is the table, 0 nothing.
 constexpr int kFirstObjectLabel = 2;
+constexpr int kTableLabel = 1;
+
+/// Takes segments without pixels out of the list. What stood on one of them stands on something that is no segment.
+void dropEmpty(std::vector<Segment>& segments);
 
 /// Takes the pixels of Frame::bridged out of the segments, and segments without any other out of the list.
 void keepMeasured(const std::vector<int>& bridged, std::vector<Segment>& segments);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/segments/resting_boxes.hpp"
+#include "objectness_segmentation/segments/supports.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -208,15 +208,28 @@ float topUnder(const Thing& thing, const Footprint& foot, float lowest_m) {
   return sides < lowest_m - kMaxOverhangM ? foot.lowest_corner_m : sides;  // what juts out over it hides the rest
 }
 
-/// Height that the thing of the footprint stands at.
-float supportOf(std::size_t own, const Footprint& foot, const std::vector<Thing>& things) {
+/// Whether `thing` rests on `on`, directly or by way of others.
+bool restsOn(std::size_t thing, std::size_t on, const std::vector<Support>& supports) {
+  for (int at = static_cast<int>(thing); at >= 0 && static_cast<std::size_t>(at) < supports.size();) {
+    if (static_cast<std::size_t>(at) == on) return true;
+    at = supports[at].kind == SupportKind::kSegment ? supports[at].segment : -1;
+  }
+  return false;
+}
+
+/// What the thing of the footprint stands on: the highest of what is under it, other than what stands on itself.
+Support supportOf(std::size_t own, const Footprint& foot, const std::vector<Thing>& things,
+                  const std::vector<Support>& known) {
   const float lowest = things[own].lowest();
-  float support = 0;
+  Support support;
   for (std::size_t k = 0; k < things.size(); ++k) {
     const Thing& thing = things[k];
     if (k == own || thing.points.empty() || (thing.bounds & foot.bounds).empty()) continue;
     if (!isUnder(thing, foot)) continue;
-    support = std::max(support, topUnder(thing, foot, lowest));
+    const float top = topUnder(thing, foot, lowest);
+    if (top <= support.height_m || restsOn(k, own, known)) continue;
+    const bool segment = k < known.size();
+    support = {segment ? SupportKind::kSegment : SupportKind::kOther, segment ? static_cast<int>(k) : -1, top};
   }
   return support;
 }
@@ -229,20 +242,27 @@ void lengthen(double by_m, OrientedBox& box) {
 
 }  // namespace
 
-void restBoxes(const Frame& frame, const Normals& normals, const Table& table, const ObjectPoints& above,
-               std::vector<Segment>& segments) {
+std::vector<Support> findSupports(const Frame& frame, const Normals& normals, const Table& table,
+                                  const ObjectPoints& above, const std::vector<Segment>& segments) {
   const std::vector<Thing> things = describeAll(frame, normals, table, above, segments);
+  std::vector<Support> supports(segments.size());
   for (std::size_t k = 0; k < segments.size(); ++k) {
-    OrientedBox& box = segments[k].box;
-    const Eigen::Isometry3d T_table_box = table.T_table_camera * box.T_camera_box;
-    const Footprint foot(T_table_box, box.size_m);
-    const double upright = T_table_box.linear()(2, 2);
-    const double to_support = (foot.lowest_corner_m - supportOf(k, foot, things)) / upright;
-    const bool tilted = upright < 1 - 1e-6;
-    if (std::abs(to_support) < kRoundingM) continue;  // the paper's boxes begin on the table
-    if (tilted ? to_support < 0 : box.size_m.z() + to_support < kMinHeightM) continue;
-    lengthen(to_support, box);
+    const OrientedBox& box = segments[k].box;
+    const Footprint foot(table.T_table_camera * box.T_camera_box, box.size_m);
+    supports[k] = supportOf(k, foot, things, supports);
   }
+  return supports;
+}
+
+void restBox(const Table& table, double support_m, OrientedBox& box) {
+  const Eigen::Isometry3d T_table_box = table.T_table_camera * box.T_camera_box;
+  const Footprint foot(T_table_box, box.size_m);
+  const double upright = T_table_box.linear()(2, 2);
+  const double to_support = (foot.lowest_corner_m - support_m) / upright;
+  const bool tilted = upright < 1 - 1e-6;
+  if (std::abs(to_support) < kRoundingM) return;  // the paper's boxes begin on the table
+  if (tilted ? to_support < 0 : box.size_m.z() + to_support < kMinHeightM) return;
+  lengthen(to_support, box);
 }
 
 }  // namespace objectness

@@ -6,7 +6,7 @@
 
 #include "fixtures/ray_cast.hpp"
 #include "objectness_segmentation/pipeline.hpp"
-#include "objectness_segmentation/segments/resting_boxes.hpp"
+#include "objectness_segmentation/segments/supports.hpp"
 #include "objectness_segmentation/sim/scene_generator.hpp"
 #include "objectness_segmentation/sim/simulated_frame.hpp"
 
@@ -79,6 +79,7 @@ struct Sight {
   Table table;
   ObjectPoints above;
   std::vector<Segment> segments;
+  std::vector<Support> supports;
 
   Sight(Scene given, int first, std::size_t without = 99) : scene(std::move(given)), frame(scene.render()) {
     normals = estimateNormals(frame, {});
@@ -104,7 +105,12 @@ struct Sight {
       segment.box.T_camera_box = table.T_table_camera.inverse() * Eigen::Translation3d(box.center());
       if (k != without) segments.push_back(segment);
     }
-    restBoxes(frame, normals, table, above, segments);
+    rest();
+  }
+
+  void rest() {
+    supports = findSupports(frame, normals, table, above, segments);
+    for (std::size_t k = 0; k < segments.size(); ++k) restBox(table, supports[k].height_m, segments[k].box);
   }
 
   /// Lowest and highest corner of the box around the k-th segment.
@@ -120,7 +126,7 @@ Scene onATable(std::vector<Surface> things) {
 
 }  // namespace
 
-TEST(RestingBoxes, OfIdealScenesHaveTheTrueHeights) {
+TEST(Supports, OfIdealScenesHaveTheTrueHeights) {
   sim::DepthSensor ideal;
   ideal.ideal = true;
   for (const char* level : {"boxes", "shapes", "stacked"}) {
@@ -132,7 +138,7 @@ TEST(RestingBoxes, OfIdealScenesHaveTheTrueHeights) {
   }
 }
 
-TEST(RestingBoxes, ReachWhatTheyStandOnDespiteNoise) {
+TEST(Supports, ReachWhatTheyStandOnDespiteNoise) {
   for (const char* level : {"boxes", "stacked"}) {
     SCOPED_TRACE(level);
     const Errors errors = errorsOf(level, sim::DepthSensor(), 12);
@@ -141,7 +147,7 @@ TEST(RestingBoxes, ReachWhatTheyStandOnDespiteNoise) {
   }
 }
 
-TEST(RestingBoxes, OfThePaperReachTheTable) {
+TEST(Supports, OfThePaperReachTheTable) {
   sim::DepthSensor ideal;
   ideal.ideal = true;
   Config paper;
@@ -152,16 +158,64 @@ TEST(RestingBoxes, OfThePaperReachTheTable) {
   EXPECT_LT(Errors::worst(errors.low, 1), 0.002);
 }
 
-TEST(RestingBoxes, AThingOnATopThatIsSeenAroundIt) {
+TEST(Supports, AThingOnATopThatIsSeenAroundIt) {
   const Sight sight(onATable({box({-0.15, -0.1, 0}, {0.15, 0.1, 0.08}), box({-0.05, -0.04, 0.08}, {0.05, 0.04, 0.2})}),
                     1);
   EXPECT_NEAR(sight.heights(0).first, 0, 0.001);
   EXPECT_NEAR(sight.heights(0).second, 0.08, 0.001);
   EXPECT_NEAR(sight.heights(1).first, 0.08, 0.001);
   EXPECT_NEAR(sight.heights(1).second, 0.2, 0.001);
+  EXPECT_EQ(sight.supports[0].kind, SupportKind::kTable);
+  EXPECT_EQ(sight.supports[0].segment, -1);
+  EXPECT_EQ(sight.supports[0].height_m, 0);
+  EXPECT_EQ(sight.supports[1].kind, SupportKind::kSegment);
+  EXPECT_EQ(sight.supports[1].segment, 0);
+  EXPECT_NEAR(sight.supports[1].height_m, 0.08, 0.001);
 }
 
-TEST(RestingBoxes, AThingThatHidesTheWholeTopUnderIt) {
+TEST(Supports, OfAStackNameWhatIsDirectlyUnder) {
+  const Sight sight(onATable({box({-0.05, -0.04, 0.13}, {0.05, 0.04, 0.2}), box({-0.15, -0.1, 0}, {0.15, 0.1, 0.08}),
+                              box({0.2, -0.1, 0}, {0.3, 0, 0.1}), box({-0.08, -0.07, 0.08}, {0.08, 0.07, 0.13})}),
+                    1);
+  EXPECT_EQ(sight.supports[0].segment, 3);
+  EXPECT_EQ(sight.supports[1].segment, -1);
+  EXPECT_EQ(sight.supports[2].segment, -1);
+  EXPECT_EQ(sight.supports[3].segment, 1);
+}
+
+TEST(Supports, NeverGoInACircle) {
+  for (const char* level : {"stacked", "clutter"}) {
+    for (std::uint32_t index = 0; index < 6; ++index) {
+      SCOPED_TRACE(testing::Message() << level << ' ' << index);
+      sim::SceneRequest request;
+      request.level = level;
+      request.seed = 5;
+      request.index = index;
+      request.camera = sim::DepthSensor().camera;
+      const auto scene = sim::generateScene(request);
+      ASSERT_TRUE(scene.ok());
+      const auto truth = sim::simulateFrame(scene.value, scene.value.T_world_camera, sim::DepthSensor(), index);
+      const Frame frame = makeFrame(truth.images.depth_mm, cv::Mat(), truth.images.camera, InputConfig()).value;
+      const std::vector<Segment> segments = segment(frame, Config()).segments;
+      for (std::size_t k = 0; k < segments.size(); ++k) {
+        std::size_t steps = 0;
+        int at = static_cast<int>(k);
+        while (segments[at].support.kind == SupportKind::kSegment && ++steps <= segments.size()) {
+          const int under = segments[at].support.segment;
+          ASSERT_GE(under, 0);
+          const std::vector<int>& carried = segments[under].carried;
+          EXPECT_EQ(std::count(carried.begin(), carried.end(), at), 1);
+          at = under;
+        }
+        EXPECT_LE(steps, segments.size());
+        EXPECT_EQ(segments[k].support.segment >= 0, segments[k].support.kind == SupportKind::kSegment);
+        for (const int on : segments[k].carried) EXPECT_EQ(segments[on].support.segment, static_cast<int>(k));
+      }
+    }
+  }
+}
+
+TEST(Supports, AThingThatHidesTheWholeTopUnderIt) {
   for (const double overhang : {0.0, 0.03}) {
     SCOPED_TRACE(overhang);
     const Sight sight(onATable({box({-0.1, -0.1, 0}, {0.1, 0.1, 0.06}),
@@ -172,14 +226,16 @@ TEST(RestingBoxes, AThingThatHidesTheWholeTopUnderIt) {
   }
 }
 
-TEST(RestingBoxes, AThingThatIsInNoSegmentCarriesToo) {
+TEST(Supports, AThingThatIsInNoSegmentCarriesToo) {
   const Sight sight(onATable({box({-0.15, -0.1, 0}, {0.15, 0.1, 0.04}), box({-0.05, -0.04, 0.04}, {0.05, 0.04, 0.2})}),
                     1, 1);
   ASSERT_EQ(sight.segments.size(), 1u);
   EXPECT_NEAR(sight.heights(0).first, 0.04, 0.001);
+  EXPECT_EQ(sight.supports[0].kind, SupportKind::kOther);
+  EXPECT_EQ(sight.supports[0].segment, -1);
 }
 
-TEST(RestingBoxes, AThingInATrayStandsOnItsFloor) {
+TEST(Supports, AThingInATrayStandsOnItsFloor) {
   std::vector<Surface> things{box({-0.02, -0.05, 0.012}, {0.06, 0.03, 0.1})};
   const Surface floor = box({-0.2, -0.15, 0}, {0.2, 0.15, 0.012}), left = box({-0.2, -0.15, 0}, {-0.19, 0.15, 0.04}),
                 right = box({0.19, -0.15, 0}, {0.2, 0.15, 0.04}), near = box({-0.2, -0.15, 0}, {0.2, -0.14, 0.04}),
@@ -191,7 +247,7 @@ TEST(RestingBoxes, AThingInATrayStandsOnItsFloor) {
   EXPECT_NEAR(sight.heights(0).first, 0.012, 0.001);
 }
 
-TEST(RestingBoxes, AThingBehindOthersStandsOnTheTable) {
+TEST(Supports, AThingBehindOthersStandsOnTheTable) {
   // The foot of the second is hidden by the first: with a gap between them, without one, and beside it.
   for (const double gap : {0.05, 0.01, 0.0}) {
     for (const double height : {0.015, 0.05, 0.1}) {
@@ -205,7 +261,7 @@ TEST(RestingBoxes, AThingBehindOthersStandsOnTheTable) {
   }
 }
 
-TEST(RestingBoxes, ATiltedBoxIsLengthenedUntilItsEdgeIsThere) {
+TEST(Supports, ATiltedBoxIsLengthenedUntilItsEdgeIsThere) {
   Sight sight(onATable({box({-0.1, -0.1, 0}, {0.1, 0.1, 0.06})}), 1);
   for (const double tilt_deg : {10.0, 25.0, 40.0}) {
     Segment& segment = sight.segments[0];
@@ -218,7 +274,7 @@ TEST(RestingBoxes, ATiltedBoxIsLengthenedUntilItsEdgeIsThere) {
     T_world_box.pretranslate(Vector3d(0, 0, -low));
     segment.box = {sight.scene.T_world_camera.inverse() * T_world_box * Eigen::Translation3d(0, 0, 0.01),
                    size - Vector3d(0, 0, 0.02)};
-    restBoxes(sight.frame, sight.normals, sight.table, sight.above, sight.segments);
+    sight.rest();
     EXPECT_LT((segment.box.size_m - size).norm(), 1e-4);
     EXPECT_LT((sight.scene.T_world_camera * segment.box.T_camera_box.translation() - T_world_box.translation()).norm(),
               1e-4);
@@ -226,7 +282,7 @@ TEST(RestingBoxes, ATiltedBoxIsLengthenedUntilItsEdgeIsThere) {
   }
 }
 
-TEST(RestingBoxes, NothingToRest) {
+TEST(Supports, NothingToRest) {
   const Sight sight(onATable({}), 1);
   EXPECT_TRUE(sight.segments.empty());
 }

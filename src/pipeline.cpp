@@ -2,6 +2,7 @@
 #include "objectness_segmentation/pipeline.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "doubtful_scale.hpp"
 #include "finished_segments.hpp"
@@ -14,6 +15,7 @@
 #include "objectness_segmentation/grouping/group_cost.hpp"
 #include "objectness_segmentation/search/angle_search.hpp"
 #include "objectness_segmentation/selection/hypotheses.hpp"
+#include "remembering_segment.hpp"
 
 namespace objectness {
 namespace {
@@ -131,8 +133,8 @@ std::vector<int> annealGroups(const Frame& frame, const Table& table, const Piec
 
 /// Past the paper: groups of superpixels of any height and tilt, judged by what was learned, or without a model by
 /// hand.
-void groupPieces(const Frame& frame, const Config& config, const LearnedObjectness* model, const Stages& stage,
-                 Segmentation& result) {
+void groupPieces(const Frame& frame, const Config& config, const LearnedObjectness* model, const GroupingMemory* memory,
+                 const Stages& stage, Segmentation& result) {
   const PieceGraph graph = stage("pieces", [&] {
     return findPieceGraph(frame, result.normals, result.table, result.object_points, result.superpixels, config.pieces,
                           config.links, config.runtime.threads);
@@ -143,9 +145,16 @@ void groupPieces(const Frame& frame, const Config& config, const LearnedObjectne
   std::vector<Link> links;
   const std::vector<GroupHypothesis> groups = stage("groups", [&] {
     links = judgeLinks(graph, model, config.runtime.threads);
+    std::optional<RememberedGroups> remembered;
+    if (memory) {
+      remembered.emplace(graph.pieces, *memory);
+      remembered->weighLinks(config.grouping.memory_log_odds, links);
+    }
     std::vector<GroupHypothesis> proposed =
-        proposeObjects(frame, result.table, result.edges, graph, links, config.grouping, config.runtime.threads);
+        proposeObjects(frame, result.table, result.edges, graph, links, config.grouping, config.runtime.threads,
+                       remembered ? remembered->groups() : std::vector<std::vector<int>>{});
     judgeObjects(config, model, proposed);
+    if (remembered) remembered->compare(proposed);
     return proposed;
   });
   stage.count("hypotheses", groups.size());
@@ -163,8 +172,8 @@ void remarkOnScale(const Frame& frame, Segmentation& result) {
 }
 
 /// Fills `result` as far as it gets.
-void run(const Frame& frame, const Config& config, const LearnedObjectness* model, const std::atomic<bool>* cancel,
-         Segmentation& result) {
+void run(const Frame& frame, const Config& config, const LearnedObjectness* model, const GroupingMemory* memory,
+         const std::atomic<bool>* cancel, Segmentation& result) {
   const ThreadPool pool(config.runtime.threads);
   const Stages stage(cancel, result.report);
   observeScene(frame, config, stage, result);
@@ -173,7 +182,7 @@ void run(const Frame& frame, const Config& config, const LearnedObjectness* mode
     return;
   }
   if (config.grouping.enabled) {
-    groupPieces(frame, config, judgeOf(config, model), stage, result);
+    groupPieces(frame, config, judgeOf(config, model), memory, stage, result);
   } else {
     searchBoxes(frame, config, stage, result);
   }
@@ -182,9 +191,10 @@ void run(const Frame& frame, const Config& config, const LearnedObjectness* mode
   remarkOnScale(frame, result);
 }
 
-/// model: nullptr for the one that comes with the package.
-Segmentation segmentWith(const LearnedObjectness* model, const Frame& frame, const Config& config,
-                         const std::atomic<bool>* cancel) {
+}  // namespace
+
+Segmentation segmentRemembering(const Frame& frame, const Config& config, const LearnedObjectness* model,
+                                const GroupingMemory* memory, const std::atomic<bool>* cancel) {
   return guardedSegmentation(frame, [&](Segmentation& result) {
     const std::vector<std::string> problems = validate(config);
     if (!problems.empty()) {
@@ -193,22 +203,20 @@ Segmentation segmentWith(const LearnedObjectness* model, const Frame& frame, con
     }
     try {
       atNeededResolution(frame, config.resolution, result,
-                         [&](const Frame& seen) { run(seen, config, model, cancel, result); });
+                         [&](const Frame& seen) { run(seen, config, model, memory, cancel, result); });
     } catch (const Cancelled&) {
       result.status = Status::error(StatusCode::kCancelled, "cancelled between stages");
     }
   });
 }
 
-}  // namespace
-
 Segmentation segment(const Frame& frame, const Config& config, const std::atomic<bool>* cancel) {
-  return segmentWith(nullptr, frame, config, cancel);
+  return segmentRemembering(frame, config, nullptr, nullptr, cancel);
 }
 
 Segmentation segment(const Frame& frame, const Config& config, const LearnedObjectness& model,
                      const std::atomic<bool>* cancel) {
-  return segmentWith(&model, frame, config, cancel);
+  return segmentRemembering(frame, config, &model, nullptr, cancel);
 }
 
 }  // namespace objectness

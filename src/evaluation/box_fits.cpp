@@ -2,13 +2,13 @@
 #include "objectness_segmentation/evaluation/box_fits.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
 #include "objectness_segmentation/common/angles.hpp"
 #include "objectness_segmentation/evaluation/box_overlap.hpp"
 #include "objectness_segmentation/evaluation/scores.hpp"
+#include "segments/box_axes.hpp"
 #include "visible_boxes.hpp"
 
 namespace objectness::evaluation {
@@ -60,26 +60,6 @@ OrientedBox boxOf(int rank, const std::map<int, OrientedBox>& boxes) {
 bool hasSize(const OrientedBox& box) { return box.size_m.minCoeff() > 0; }
 
 }  // namespace
-
-OrientedBox namedAs(const Eigen::Matrix3d& axes, const OrientedBox& box) {
-  OrientedBox nearest = box;
-  double best = -4;  // of the trace, which is 1 + 2 cos of the angle between them
-  std::array<int, 3> order{0, 1, 2};
-  do {
-    for (int signs = 0; signs < 8; ++signs) {
-      OrientedBox named = box;
-      for (int k = 0; k < 3; ++k) {
-        const double sign = signs >> k & 1 ? -1 : 1;
-        named.T_camera_box.linear().col(k) = sign * box.T_camera_box.linear().col(order[k]);
-        named.size_m[k] = box.size_m[order[k]];
-      }
-      if (named.T_camera_box.linear().determinant() < 0) continue;
-      const double trace = (axes.transpose() * named.T_camera_box.linear()).trace();
-      if (trace > best) best = trace, nearest = named;
-    }
-  } while (std::next_permutation(order.begin(), order.end()));
-  return nearest;
-}
 
 BoxErrors compareBoxes(const OrientedBox& found, const OrientedBox& truth, bool round, const Eigen::Vector3d& up) {
   const OrientedBox wanted = round ? turnedToOverlap(truth, found) : truth;

@@ -9,13 +9,28 @@
 #include "objectness_segmentation/io/config_yaml.hpp"
 #include "objectness_segmentation/peers/peers.hpp"
 #include "objectness_segmentation/pipeline.hpp"
+#include "objectness_segmentation/sequence.hpp"
 
 namespace objectness::evaluation {
 namespace {
 
+using Follow = decltype(Method::follow);
+
+/// model: nullptr for the built-in one.
+Follow followWith(const Config& config, const std::shared_ptr<const LearnedObjectness>& model) {
+  return [config, model](int fuse_frames) {
+    const auto sequence = std::make_shared<FrameSequence>(fuse_frames);
+    return [config, model, sequence](const Frame& frame) {
+      return sequence->next(frame, {}, 0, config, model.get()).segmentation;
+    };
+  };
+}
+
 Method ownMethod(const std::string& name, const std::string& description, const Config& config) {
-  return {name, description, toYaml(config), [config](const Frame& frame) { return segment(frame, config); },
-          true, config.input};
+  Method method{name, description, toYaml(config), [config](const Frame& frame) { return segment(frame, config); },
+                true, config.input};
+  method.follow = followWith(config, nullptr);
+  return method;
 }
 
 /// Results of different models must not be taken for one another: a model is known by the sum of all it holds.
@@ -31,9 +46,9 @@ Method learnedMethod(const std::string& name, const std::string& description, co
   Method method = ownMethod(name, description, config);
   if (!model) return method;
   method.settings += modelText(*model);
-  method.run = [config, shared = std::make_shared<const LearnedObjectness>(*model)](const Frame& frame) {
-    return segment(frame, config, *shared);
-  };
+  const auto shared = std::make_shared<const LearnedObjectness>(*model);
+  method.run = [config, shared](const Frame& frame) { return segment(frame, config, *shared); };
+  method.follow = followWith(config, shared);
   return method;
 }
 

@@ -90,7 +90,7 @@ class Job {
     if (!frame.ok()) return fail(frame.status.message);
     const std::string misfit = misfitOfTruth(frame.value);
     if (!misfit.empty()) return refuse(misfit);
-    const Segmentation found = runGuarded(method_, frame.value, annotation_);
+    const Segmentation found = runGuarded(afterFramesBefore(), frame.value, annotation_);
     result_.peak_mib = peakMemoryMib();
     result_.timings_ms = found.report.timings_ms;
     for (const auto& [name, value] : found.report.values) {
@@ -115,6 +115,18 @@ class Job {
   Status runNothing(const std::string& failure) { return loadTruth() ? fail(failure) : saveResult(report_, result_); }
 
  private:
+  /// The method in the state that the frames before this one leave it in.
+  Method afterFramesBefore() const {
+    Method method = method_;
+    if (scene_.before.empty() || !method.follow || method.fuse_frames < 1) return method;
+    method.run = method.follow(method.fuse_frames);
+    for (const std::string& folder : scene_.before) {
+      const Result<Frame> frame = loadSceneFolder(folder, {}, method.input);
+      if (frame.ok()) runGuarded(method, frame.value, {});
+    }
+    return method;
+  }
+
   bool hasLabels() const { return !annotation_.empty(); }
 
   /// Otherwise the result says why.
@@ -241,6 +253,9 @@ std::string madeFrom(const std::string& commit, const Method& method, const Scen
   for (const char* name : {"depth.png", "color.png", "camera.yaml", "labels.png", "objects.yaml"}) {
     const Result<std::string> bytes = readFile((fs::path(scene.folder) / name).string(), kMaxFileBytes);
     files += name + checksum(bytes.value);  // a missing file is the job's business
+  }
+  for (const std::string& folder : scene.before) {
+    files += checksum(readFile((fs::path(folder) / "depth.png").string(), kMaxFileBytes).value);
   }
   return "commit " + commit + ", settings " + checksum(method.settings) + ", input " + checksum(files);
 }

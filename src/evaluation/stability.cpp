@@ -12,6 +12,7 @@
 #include "objectness_segmentation/common/assignment.hpp"
 #include "objectness_segmentation/evaluation/box_fits.hpp"
 #include "objectness_segmentation/segments/segments.hpp"
+#include "segments/box_axes.hpp"
 #include "table_text.hpp"
 
 namespace objectness::evaluation {

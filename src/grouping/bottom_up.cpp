@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/grouping/bottom_up.hpp"
 
+#include <algorithm>
+
 #include "objectness_segmentation/common/parallel.hpp"
 #include "objectness_segmentation/grouping/propose_groups.hpp"
 #include "objectness_segmentation/learning/cue_list.hpp"
@@ -22,10 +24,14 @@ PieceGraph findPieceGraph(const Frame& frame, const Normals& normals, const Tabl
 
 std::vector<GroupHypothesis> proposeObjects(const Frame& frame, const Table& table, const EdgeMap& edges,
                                             const PieceGraph& graph, const std::vector<Link>& links,
-                                            const GroupingConfig& config, int threads) {
+                                            const GroupingConfig& config, int threads,
+                                            const std::vector<std::vector<int>>& also) {
   const GroupLimits limits{static_cast<std::size_t>(config.max_groups),
                            static_cast<std::size_t>(config.max_all_groups)};
-  const auto groups = proposeGroups(graph.pieces.count(), links, limits, config.kinds);
+  auto groups = proposeGroups(graph.pieces.count(), links, limits, config.kinds);
+  groups.insert(groups.end(), also.begin(), also.end());
+  std::sort(groups.begin(), groups.end());
+  groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
   auto described = describeGroups({frame, table, edges, graph.pieces, graph.borders, links}, groups, threads);
   for (GroupHypothesis& group : described) group.cues = config.cues(group.cues);
   return described;

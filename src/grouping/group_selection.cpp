@@ -21,7 +21,8 @@ PackingProblem packingProblem(int pieces, const std::vector<Link>& links, const 
   PackingProblem problem;
   problem.elements = pieces;
   for (const GroupHypothesis& group : groups) {
-    double value = config.weight_objectness * (group.objectness - config.least_objectness) * group.pieces.size();
+    const double objectness = group.objectness + config.memory_objectness * group.remembered;
+    double value = config.weight_objectness * (objectness - config.least_objectness) * group.pieces.size();
     for (const int first : group.pieces) {
       for (const auto& [second, odds] : linked[first]) {
         if (std::binary_search(group.pieces.begin(), group.pieces.end(), second)) value += odds;

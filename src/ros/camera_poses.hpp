@@ -20,9 +20,9 @@ namespace objectness_segmentation {
 struct CameraPose {
   objectness::Status status;  ///< kNoTransform: target or up frame are asked for and not known
   std::optional<Eigen::Isometry3d> T_target_camera;
-  std::optional<Eigen::Vector3d> up;  ///< against gravity, optical frame, unit length
-  Eigen::Isometry3d T_fixed_camera = Eigen::Isometry3d::Identity();
-  std::string remark;  ///< why T_fixed_camera is that of an earlier frame
+  std::optional<Eigen::Vector3d> up;                ///< against gravity, optical frame, unit length
+  std::optional<Eigen::Isometry3d> T_fixed_camera;  ///< none: without fixed frame, or not known yet
+  std::string remark;                               ///< why T_fixed_camera is that of an earlier frame
 };
 
 /// Looks the camera up in tf, at the stamp of its frame. Subscribes to tf only when a frame is set.
@@ -43,7 +43,7 @@ class CameraPoses {
 
   std::string target_frame_, up_frame_, fixed_frame_;
   std::chrono::duration<double> timeout_;
-  Eigen::Isometry3d last_T_fixed_camera_ = Eigen::Isometry3d::Identity();
+  std::optional<Eigen::Isometry3d> last_T_fixed_camera_;
   std::unique_ptr<tf2_ros::Buffer> buffer_;
   std::unique_ptr<tf2_ros::TransformListener> listener_;
 };

@@ -39,17 +39,8 @@ ProcessedFrame FrameProcessor::process(const InputMessages& messages, objectness
   processed.T_target_camera = pose.T_target_camera;
   if (pose.up) preferUp(*pose.up, config.table);
 
-  SegmentedFrame& result = processed.result;
-  result = segmentMessages(messages, config, model, &stop);
-  if (!pose.remark.empty()) result.remarks.push_back(pose.remark);
-  if (!config.tracking.enabled) {
-    tracker_.clear();
-  } else if (result.segmentation.status.ok()) {
-    const auto segmented = std::chrono::steady_clock::now();
-    result.identities = tracker_.update(result.frame, result.segmentation.segments, pose.T_fixed_camera,
-                                        messages.header().stamp.toSec(), config.tracking);
-    processed.tracking_ms = Milliseconds(std::chrono::steady_clock::now() - segmented).count();
-  }
+  processed.result = segmentNext(messages, config, model, &stop, pose.T_fixed_camera, sequence_);
+  if (!pose.remark.empty()) processed.result.remarks.push_back(pose.remark);
   return processed;
 }
 

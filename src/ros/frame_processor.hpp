@@ -6,22 +6,21 @@
 
 #include "camera_poses.hpp"
 #include "objectness_segmentation/ros/segment_messages.hpp"
-#include "objectness_segmentation/tracking/tracker.hpp"
 
 namespace objectness_segmentation {
 
 struct ProcessedFrame {
   SegmentedFrame result;                             ///< in the camera's frame
   std::optional<Eigen::Isometry3d> T_target_camera;  ///< where the outputs are to be moved to
-  double transforms_ms = 0, tracking_ms = 0;
+  double transforms_ms = 0;
 };
 
-/// What is done with one frame: where was the camera, what is there, which objects are they. Remembers the objects of
-/// the frames before. For one thread.
+/// What is done with one frame: where was the camera, what is there, which objects are they. Remembers the
+/// frames before. For one thread.
 class FrameProcessor {
  public:
   FrameProcessor(const NodeSettings& settings, const ros::NodeHandle& nh)
-      : poses_(settings, nh), keep_memory_(settings.keep_memory) {}
+      : poses_(settings, nh), sequence_(settings.fuse_frames), keep_memory_(settings.keep_memory) {}
   ~FrameProcessor();
   FrameProcessor(const FrameProcessor&) = delete;
   FrameProcessor& operator=(const FrameProcessor&) = delete;
@@ -35,7 +34,7 @@ class FrameProcessor {
 
  private:
   CameraPoses poses_;
-  objectness::Tracker tracker_;
+  objectness::FrameSequence sequence_;
   const bool keep_memory_;
   bool keeps_memory_ = false;  ///< from the first frame on
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "objectness_segmentation/ros/synchronized_inputs.hpp"
+#include "objectness_segmentation/sequence.hpp"
 
 namespace objectness_segmentation {
 
@@ -15,7 +16,8 @@ struct NodeSettings {
   InputSettings input;
   bool lazy = true;
   bool latch = false;
-  bool keep_memory = true;  ///< objectness::keepFrameMemory(): a setting of the whole process
+  bool keep_memory = true;                    ///< objectness::keepFrameMemory(): a setting of the whole process
+  int fuse_frames = objectness::kFuseFrames;  ///< 1: none
   std::string model;
   std::string target_frame;          ///< of the outputs; empty: that of the input
   std::string up_frame;              ///< its z axis points against gravity; empty: not known

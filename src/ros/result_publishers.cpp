@@ -89,10 +89,11 @@ void ResultPublishers::publishProfile(const ProcessedFrame& frame, const std_msg
     };
     add("transforms", frame.transforms_ms);
     add("conversion", frame.result.conversion_ms);
+    add("fusion", frame.result.fusion_ms);
     for (const auto& [stage, milliseconds] : frame.result.segmentation.report.timings_ms) {
       if (stage != "total") add(stage, milliseconds);
     }
-    add("tracking", frame.tracking_ms);
+    add("tracking", frame.result.tracking_ms);
     add("total", 1e3 * facts.processing_time_s);
     message.age = static_cast<float>(ros::Time::now().toSec() - input.stamp.toSec());
     return message;

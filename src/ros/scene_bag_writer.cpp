@@ -91,7 +91,8 @@ objectness::Status writeSceneBag(const std::string& path, const objectness::sim:
   objectness::Status status;
   for (int i = 0; i < settings.frames && status.ok(); ++i) {
     const ros::Time stamp = ros::Time(kFirstStamp_s, 0) + ros::Duration(i / settings.rate_hz);
-    const Eigen::Isometry3d T_world_camera = objectness::sim::orbitPose(scene, i, settings.frames);
+    const Eigen::Isometry3d T_world_camera =
+        settings.still ? scene.T_world_camera : objectness::sim::orbitPose(scene, i, settings.frames);
     status = writer.write(simulateFrame(scene, T_world_camera, settings.sensor, settings.noise_seed(i)), stamp);
   }
   const objectness::Status closed = writer.close();

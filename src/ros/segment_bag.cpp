@@ -31,10 +31,11 @@ SegmentBagReport segmentBag(const BagInput& input, const SegmentBagSettings& set
                             const std::function<void(const BagFrame&)>& on_frame) {
   SegmentBagReport report;
   std::size_t number = 0;
+  objectness::FrameSequence sequence(settings.fuse_frames);
   const auto answer = [&](const InputMessages& messages, const ros::Time& recorded) {
     ++number;
     const auto start = std::chrono::steady_clock::now();
-    const SegmentedFrame result = segmentMessages(messages, settings.config, settings.model, settings.cancel);
+    const SegmentedFrame result = segmentNext(messages, settings.config, settings.model, settings.cancel, {}, sequence);
     if (settings.cancel && *settings.cancel) return false;
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
 

@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "objectness_segmentation/pipeline.hpp"
 #include "objectness_segmentation/ros/input_conversions.hpp"
 
 namespace objectness_segmentation {
@@ -115,6 +114,10 @@ FrameResult depthFrame(const InputMessages& messages, const objectness::InputCon
                                thinned(usableColor(messages, size, result.remarks), result.step), camera.value, config);
 }
 
+const objectness::LearnedObjectness* modelOf(const std::optional<objectness::LearnedObjectness>& model) {
+  return model ? &*model : nullptr;
+}
+
 SegmentedFrame failure(const std::string& what) {
   return failedFrame(Status::error(StatusCode::kInternalError, "the segmentation ended with an exception: " + what));
 }
@@ -127,9 +130,10 @@ SegmentedFrame failedFrame(Status status) {
   return result;
 }
 
-SegmentedFrame segmentMessages(const InputMessages& messages, const objectness::Config& config,
-                               const std::optional<objectness::LearnedObjectness>& model,
-                               const std::atomic<bool>* cancel) {
+SegmentedFrame segmentNext(const InputMessages& messages, const objectness::Config& config,
+                           const std::optional<objectness::LearnedObjectness>& model, const std::atomic<bool>* cancel,
+                           const std::optional<Eigen::Isometry3d>& T_fixed_camera,
+                           objectness::FrameSequence& sequence) {
   try {
     const auto start = std::chrono::steady_clock::now();
     SegmentedFrame result;
@@ -138,9 +142,13 @@ SegmentedFrame segmentMessages(const InputMessages& messages, const objectness::
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
     result.conversion_ms = elapsed.count();
     if (frame.ok()) {
-      result.frame = std::move(frame.value);
-      result.segmentation = model ? objectness::segment(result.frame, config, *model, cancel)
-                                  : objectness::segment(result.frame, config, cancel);
+      objectness::SequenceResult found = sequence.next(std::move(frame.value), T_fixed_camera,
+                                                       messages.header().stamp.toSec(), config, modelOf(model), cancel);
+      result.frame = std::move(found.frame);
+      result.segmentation = std::move(found.segmentation);
+      result.identities = std::move(found.identities);
+      result.fusion_ms = found.fusion_ms;
+      result.tracking_ms = found.tracking_ms;
       const std::vector<std::string>& remarks = result.segmentation.report.remarks;
       result.remarks.insert(result.remarks.end(), remarks.begin(), remarks.end());
     } else {
@@ -153,6 +161,15 @@ SegmentedFrame segmentMessages(const InputMessages& messages, const objectness::
   } catch (...) {
     return failure("of unknown type");
   }
+}
+
+SegmentedFrame segmentMessages(const InputMessages& messages, const objectness::Config& config,
+                               const std::optional<objectness::LearnedObjectness>& model,
+                               const std::atomic<bool>* cancel) {
+  objectness::FrameSequence alone(1);
+  objectness::Config untracked = config;
+  untracked.tracking.enabled = false;
+  return segmentNext(messages, untracked, model, cancel, {}, alone);
 }
 
 }  // namespace objectness_segmentation

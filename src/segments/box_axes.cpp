@@ -2,6 +2,7 @@
 #include "box_axes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace objectness {
@@ -30,6 +31,26 @@ OrientedBox nameAxes(const OrientedBox& box) {
   named.T_camera_box.linear() << along, up.cross(along), up;
   named.size_m = {box.size_m[x], box.size_m[y], box.size_m[z]};
   return named;
+}
+
+OrientedBox namedAs(const Eigen::Matrix3d& axes, const OrientedBox& box) {
+  OrientedBox nearest = box;
+  double best = -4;  // of the trace, which is 1 + 2 cos of the angle between them
+  std::array<int, 3> order{0, 1, 2};
+  do {
+    for (int signs = 0; signs < 8; ++signs) {
+      OrientedBox named = box;
+      for (int k = 0; k < 3; ++k) {
+        const double sign = signs >> k & 1 ? -1 : 1;
+        named.T_camera_box.linear().col(k) = sign * box.T_camera_box.linear().col(order[k]);
+        named.size_m[k] = box.size_m[order[k]];
+      }
+      if (named.T_camera_box.linear().determinant() < 0) continue;
+      const double trace = (axes.transpose() * named.T_camera_box.linear()).trace();
+      if (trace > best) best = trace, nearest = named;
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+  return nearest;
 }
 
 }  // namespace objectness

@@ -11,4 +11,8 @@ namespace objectness {
 /// the camera when it is at right angles to it). y completes a right-handed frame.
 OrientedBox nameAxes(const OrientedBox& box);
 
+/// The same box with its axes named, of the 24 ways, so that it is turned least against `axes`; of equal ones the
+/// first.
+OrientedBox namedAs(const Eigen::Matrix3d& axes, const OrientedBox& box);
+
 }  // namespace objectness

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <opencv2/core/utils/logger.hpp>
 
 #include "evaluate_options.hpp"
@@ -25,6 +26,8 @@ using namespace objectness::evaluation;
 namespace fs = std::filesystem;
 
 enum ExitStatus { kAllDone = 0, kSomeFailed = 1, kUsageError = 2 };
+
+constexpr std::size_t kMostBefore = 40;  // frames that are gone through for the one that is scored
 
 ExitStatus fail(const std::string& message) {
   printLine(message);
@@ -98,6 +101,21 @@ std::vector<Scene> ofShard(const std::vector<Scene>& scenes, int shard, int shar
   return chosen;
 }
 
+/// Scenes in the order of their names.
+void followFrames(int fuse_frames, std::vector<Scene>& scenes, std::vector<Method>& methods) {
+  std::map<std::string, std::vector<std::string>> before;
+  for (Scene& scene : scenes) {
+    std::vector<std::string>& folders = before[scene.camera];
+    scene.before = folders;
+    folders.push_back(scene.folder);
+    if (folders.size() > kMostBefore) folders.erase(folders.begin());
+  }
+  for (Method& method : methods) {
+    method.fuse_frames = fuse_frames;
+    method.settings += "\nframes follow one another, fused: " + std::to_string(fuse_frames) + "\n";
+  }
+}
+
 ExitStatus evaluate(const EvaluateOptions& options) {
   SceneRules rules;
   rules.boxes_are_truth = rules.same_names = true;
@@ -112,8 +130,9 @@ ExitStatus evaluate(const EvaluateOptions& options) {
   std::sort(scenes.begin(), scenes.end(), [](const Scene& a, const Scene& b) { return a.name < b.name; });
   scenes = ofShard(scenes, options.shard, options.shards);
 
-  const Result<std::vector<Method>> methods = makeMethods(options.methods, options.config, options.model);
+  Result<std::vector<Method>> methods = makeMethods(options.methods, options.config, options.model);
   if (!methods.ok()) return fail(methods.status.message);
+  if (options.fuse_frames > 0) followFrames(options.fuse_frames, scenes, methods.value);
   Run run{commit(), {describeMachine()}, options.jobs, options.shard, options.shards, options.levels, {}, {}};
   run.still = options.still;
   for (const Method& m : methods.value) run.methods.push_back({m.name, m.description, m.settings});

@@ -43,7 +43,7 @@ constexpr const char* kExamples =
     "Exit status: 0 all evaluated, 1 some scene could not be used, some method failed in a scene (it then counts as\n"
     "having found nothing there), or the report could not be written; 2 wrong command line.\n";
 
-constexpr int kMostJobs = 1024, kMostThreads = 64, kMostShards = 1000000;
+constexpr int kMostJobs = 1024, kMostThreads = 64, kMostShards = 1000000, kMostFused = 100;
 
 Result<EvaluateOptions> bad(const std::string& message) {
   return Result<EvaluateOptions>::error(StatusCode::kBadConfig, message);
@@ -75,6 +75,8 @@ po::options_description shownOptions() {
       "each data set is a sequence of frames of a scene that stands still, by name: report how much results differ "
       "from "
       "frame to frame; truth need not be there");
+  add("fuse-frames", po::value<int>()->value_name("N")->default_value(0),
+      "with --still: frames follow one another as in segment_bag, with its --fuse-frames N; 0: every frame for itself");
   add("shard", po::value<std::string>()->value_name("K/N"), "only every N-th scene, beginning with the K-th (1..N)");
   add("groups", po::value<std::string>()->value_name("FILE.csv"),
       "groups of scenes (columns scene, group); default: groups.csv in the folder of the scenes, or "
@@ -100,7 +102,7 @@ std::string readPlaces(const po::variables_map& values, EvaluateOptions& options
   if (options.merge) {
     options.inputs.erase(options.inputs.begin());
     for (const char* name :
-         {"method", "level", "config", "set", "model", "jobs", "threads", "still", "shard", "groups"}) {
+         {"method", "level", "config", "set", "model", "jobs", "threads", "still", "fuse-frames", "shard", "groups"}) {
       if (values.count(name) && !values[name].defaulted()) {
         return std::string("--") + name + ": merge takes it from the shards";
       }
@@ -137,6 +139,8 @@ std::string readWork(const po::variables_map& values, EvaluateOptions& options) 
   std::string problem = readNumber(values, "jobs", 1, kMostJobs, options.jobs);
   if (problem.empty()) problem = readNumber(values, "threads", 0, kMostThreads, options.threads);
   options.still = values["still"].as<bool>();
+  if (problem.empty()) problem = readNumber(values, "fuse-frames", 0, kMostFused, options.fuse_frames);
+  if (problem.empty() && options.fuse_frames > 0 && !options.still) problem = "--fuse-frames belongs to --still";
   const std::string shard = textOf(values, "shard");
   if (problem.empty() && options.still && values.count("shard")) problem = "--still: needs all frames, not a --shard";
   if (problem.empty() && values.count("shard") && !parseShard(shard, options.shard, options.shards)) {

@@ -20,7 +20,8 @@ struct EvaluateOptions {
   Config config;                           ///< of every method, as far as it heeds it
   std::optional<LearnedObjectness> model;  ///< of the method objectness, none: the built-in one
   int jobs = 1, threads = 2;
-  bool still = false;  ///< data sets are sequences of a still scene
+  int fuse_frames = 0;  ///< 0: every frame for itself
+  bool still = false;   ///< data sets are sequences of a still scene
   int shard = 1, shards = 1;
   std::string groups_file, report;
   std::vector<std::string> inputs;

@@ -36,7 +36,8 @@ Status writeFolders(const Scene& scene, std::uint32_t index, const MakeSceneOpti
   Status status;
   if (options.frames) {
     for (int frame = 0; frame < *options.frames && status.ok(); ++frame) {
-      status = write(orbitPose(scene, frame, *options.frames), frame, folder / numbered("frame", frame));
+      status = write(options.still ? scene.T_world_camera : orbitPose(scene, frame, *options.frames), frame,
+                     folder / numbered("frame", frame));
     }
   } else {
     status = write(scene.T_world_camera, 0, folder);
@@ -46,6 +47,7 @@ Status writeFolders(const Scene& scene, std::uint32_t index, const MakeSceneOpti
 
 Status writeBag(const Scene& scene, std::uint32_t index, const MakeSceneOptions& options) {
   objectness_segmentation::SceneBagSettings settings{options.sensor, options.frames.value_or(1), options.rate_hz};
+  settings.still = options.still;
   settings.noise_seed = [&](int frame) { return noiseSeed(options.seed, index, frame); };
   Status status = objectness_segmentation::writeSceneBag(options.bag, scene, settings);
   if (!status.ok()) status.message = options.bag + ": " + status.message;

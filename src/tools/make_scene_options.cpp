@@ -36,6 +36,7 @@ constexpr const char* kExamples =
     "  make_scene --level all --count 25 --out scenes\n"
     "  make_scene --level clutter --objects 12 --table round:1.1x0.72 --seed 7 --frames 60 --out sequence\n"
     "  make_scene --demo --frames 30 --rate 10 --bag demo.bag\n"
+    "  make_scene --level shapes --frames 20 --still --sensor stereo --out still\n"
     "\n"
     "Exit status: 0 everything written, 1 some scene could not be made or written, 2 wrong command line.\n";
 
@@ -53,6 +54,8 @@ po::options_description shownOptions() {
   add("seed", number(), "another seed, other scenes (1)");
   add("count", number(), "N scenes a level: DIR/LEVEL_0000, ... and their groups in DIR/groups.csv");
   add("frames", number(), "N frames of a camera that swings around the scene: DIR/frame_0000, ..., or one bag");
+  add("still", po::bool_switch(),
+      "the camera of --frames stands still: the same view, each frame with noise of its own");
   add("rate", po::value<double>()->value_name("HZ"), "frames of a bag a second (10)");
   add("ideal", po::bool_switch(), "a depth camera without noise, steps, shadows or limits");
   add("sensor", text("KIND"), "structured (light, like a Kinect; default) or stereo (like a RealSense)");
@@ -124,6 +127,8 @@ std::string readScenes(const po::variables_map& values, MakeSceneOptions& o) {
     return "--objects, --count, --table and --table-share belong to --level: the demo scene has its own";
   }
   if (all && !o.count) return "--level all needs --count N: how many scenes of each level?";
+  o.still = values["still"].as<bool>();
+  if (o.still && !o.frames) return "--still needs --frames N: how many?";
   if (o.count && o.frames) return "--count and --frames exclude each other: a sequence is of one scene";
   if (values.count("table")) {
     const Result<TableSize> table = parseTable(textOf(values, "table"));

@@ -16,6 +16,7 @@ namespace objectness::sim {
 struct MakeSceneOptions {
   std::vector<std::string> levels;  ///< empty: the demo scene
   std::optional<int> objects, count, frames;
+  bool still = false;  ///< frames are of one view
   std::uint32_t seed = 1;
   std::optional<TableSize> table;
   std::optional<double> table_share;

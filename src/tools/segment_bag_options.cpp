@@ -14,6 +14,8 @@ namespace {
 namespace po = boost::program_options;
 using Options = objectness::Result<SegmentBagOptions>;
 
+constexpr int kMaxFuseFrames = 100;
+
 constexpr const char* kIntroduction =
     "Segments every cloud or depth image of a recorded bag: what the node /segment_objects would publish if it had\n"
     "all the time it needs.\n"
@@ -50,6 +52,8 @@ po::options_description shownOptions() {
       "their camera (default: the one with the nearest name)");
   add("approximate-sync", po::bool_switch(),
       "take the camera_info with the nearest stamp, whatever its frame_id, when none has the very stamp");
+  add("fuse-frames", po::value<int>()->value_name("N"),
+      "while camera and scene stand still depth is averaged over N frames, 1 to 100 (8); 1: every frame for itself");
   objectness::addConfigOptions(options);
   add("out", po::value<std::string>()->value_name("OUT.bag"), "the bag to write, replaced when it exists");
   add("help,h", po::bool_switch(), "print this");
@@ -70,6 +74,10 @@ Options interpret(const po::variables_map& values) {
   if (!status.ok()) return bad(status.message);
   const auto model = objectness::readModelOption(values, value.settings.model);
   if (!model.ok()) return bad(model.message);
+  if (values.count("fuse-frames")) value.settings.fuse_frames = values["fuse-frames"].as<int>();
+  if (value.settings.fuse_frames < 1 || value.settings.fuse_frames > kMaxFuseFrames) {
+    return bad("--fuse-frames must be 1 to 100");
+  }
   value.settings.approximate_sync = values["approximate-sync"].as<bool>();
   value.topics = {objectness::textOf(values, "points"), objectness::textOf(values, "camera-info"),
                   objectness::textOf(values, "depth"), objectness::textOf(values, "rgb")};

@@ -108,8 +108,9 @@ TEST_F(SegmentBag, WritesWhatTheNodeletPublishes) {
   ASSERT_EQ(objects.size(), 2u);
   ASSERT_EQ(segments.size(), 2u);
   ASSERT_EQ(markers.size(), 2u);
+  objectness::FrameSequence sequence(settings_.fuse_frames);
   for (std::size_t i = 0; i < clouds.size(); ++i) {
-    const SegmentedFrame result = segmentMessages({clouds[i], cameras[i]}, settings_.config, {}, nullptr);
+    const SegmentedFrame result = segmentNext({clouds[i], cameras[i]}, settings_.config, {}, nullptr, {}, sequence);
     const std_msgs::Header& header = clouds[i]->header;
     EXPECT_EQ(result.segmentation.segments.size(), 2u);
     EXPECT_EQ(serialized(*objects[i]), serialized(toObjectsMessage(result, header)));
@@ -236,8 +237,9 @@ TEST_F(SegmentBag, AnswersDepthImages) {
   EXPECT_EQ(report.answered, 3u);
   const auto objects = readAll<SegmentedObjectArray>(out_, "/segment_objects/objects");
   ASSERT_EQ(objects.size(), 3u);
+  objectness::FrameSequence sequence(settings_.fuse_frames);
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    const SegmentedFrame result = segmentMessages(messages[i], settings_.config, {}, nullptr);
+    const SegmentedFrame result = segmentNext(messages[i], settings_.config, {}, nullptr, {}, sequence);
     EXPECT_EQ(result.segmentation.segments.size(), 2u);
     EXPECT_EQ(serialized(*objects[i]), serialized(toObjectsMessage(result, messages[i].header())));
   }

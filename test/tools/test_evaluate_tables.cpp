@@ -78,6 +78,11 @@ TEST_F(EvaluateTool, TellsHowStillTheResultsOfAStillSceneAre) {
         << "the same picture three times:\n"
         << csv;
   }
+  const Outcome fused = evaluate("fused", "--method objectness --still --fuse-frames 4 " + (folder_ / "own"));
+  ASSERT_EQ(fused.exit_status, 0) << fused.err;
+  const std::string settings = readBytes(folder_ / "fused/run.json");
+  EXPECT_NE(settings.find("fused: 4"), std::string::npos) << settings;
   expectOneError(evaluate("other", folder_ / "own"), "with a labels.png or objects.yaml");
   ToolTest::expectUsageError("evaluate", "--report r --still --shard 1/2 scenes", "--still: needs all frames");
+  ToolTest::expectUsageError("evaluate", "--report r --fuse-frames 4 scenes", "--fuse-frames belongs to --still");
 }

@@ -62,6 +62,20 @@ TEST_F(MakeSceneTool, WritesASequence) {
   EXPECT_FALSE(exists("s/frame_0003"));
 }
 
+TEST_F(MakeSceneTool, WritesFramesOfOneView) {
+  ASSERT_EQ(make("--level shapes --frames 3 --still --size 160x120 --out " + file("s")).exit_status, 0);
+  std::set<std::string> poses, depths;
+  for (const char* frame : {"s/frame_0000", "s/frame_0001", "s/frame_0002"}) {
+    poses.insert(readBytes(file(frame) + "/pose.yaml"));
+    depths.insert(readBytes(file(frame) + "/depth.png"));
+  }
+  EXPECT_EQ(poses.size(), 1u);
+  EXPECT_EQ(depths.size(), 3u) << "each with noise of its own";
+  cv::Mat difference;
+  cv::absdiff(image("s/frame_0000/depth.png"), image("s/frame_0001/depth.png"), difference);
+  EXPECT_LT(cv::countNonZero(difference > 30), 0.05 * 160 * 120);
+}
+
 TEST_F(MakeSceneTool, TakesAnotherCamera) {
   ASSERT_TRUE(objectness::saveCamera(file("camera.yaml"), {610, 608, 325, 242, 640, 480}).ok());
   ASSERT_EQ(make("--level boxes --camera " + file("camera.yaml") + " --ideal --out " + file("a")).exit_status, 0);
@@ -95,6 +109,7 @@ TEST_F(MakeSceneTool, WrongCommandLines) {
            {"--level chaos --out o", "--level chaos: must be all, boxes, shapes"},
            {"--level all --out o", "--level all needs --count"},
            {"--level boxes --count 2 --frames 2 --out o", "exclude each other"},
+           {"--level boxes --still --out o", "--still needs --frames"},
            {"--level boxes --objects 41 --out o", "--objects 41: must be 0 to 40"},
            {"--level boxes --count 0 --out o", "--count 0: must be 1 to"},
            {"--level boxes --seed -1 --out o", "--seed -1: must be 0 to"},

@@ -23,10 +23,6 @@ struct BoxErrors {
   Eigen::Vector3d sides_mm = Eigen::Vector3d::Zero();
 };
 
-/// The same box with its axes named, of the 24 ways, so that it is turned least against `axes`; of equal ones the
-/// first.
-OrientedBox namedAs(const Eigen::Matrix3d& axes, const OrientedBox& box);
-
 /// round: truth is of a solid of revolution about its own z axis. Any turn about that is as true as any other, and the
 /// one of most overlap is taken. up: unit vector away from the table. All in one frame.
 BoxErrors compareBoxes(const OrientedBox& found, const OrientedBox& truth, bool round, const Eigen::Vector3d& up);

@@ -24,6 +24,9 @@ struct Method {
   InputConfig input = {};       ///< how its frames are read
   /// In the place of `run`, of a method that is told the truth: true_labels as in labels.png, of the frame's size.
   std::function<Segmentation(const Frame&, const cv::Mat_<ushort>& true_labels)> run_knowing = {};
+  /// Begins a FrameSequence, whose frames are then handed to what it returns, in their order. Empty: `run` for each.
+  std::function<std::function<Segmentation(const Frame&)>(int fuse_frames)> follow = {};
+  int fuse_frames = 0;  ///< of a scene with frames before it; 0: these are not looked at
 };
 
 /// The names makeMethods() knows, the default one first.

@@ -13,8 +13,9 @@ struct Scene {
   std::string name;  ///< of the folder, after that of the data set where needed; no two of a list share one
   std::string folder;
   std::string group = "all";
-  std::string camera = {};  ///< name of the data set, the folder of the scene folder
-  bool needs_truth = true;  ///< off: it is evaluated without any, too
+  std::string camera = {};               ///< name of the data set, the folder of the scene folder
+  bool needs_truth = true;               ///< off: it is evaluated without any, too
+  std::vector<std::string> before = {};  ///< folders of the frames before it in its sequence, in their order
 };
 
 /// What findScenes() accepts.

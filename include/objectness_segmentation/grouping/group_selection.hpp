@@ -21,6 +21,8 @@ struct GroupingConfig {
   double weight_objectness = 30.0;
   double least_objectness = 0.4;
   double weight_gaps = 0.5;
+  double memory_objectness = 0.15;
+  double memory_log_odds = 1.0;
   int exact_nodes = 200000;
   int iterations = 50000;
   bool compare_annealing = false;
@@ -44,6 +46,10 @@ struct GroupingConfig {
           "of the objectness of a group, per piece, beside the log odds of its links");
     visit("least_objectness", self.least_objectness, Range{0, 1}, "a group under it is rather left out");
     visit("weight_gaps", self.weight_gaps, Range{0, 10}, "of links over a gap; links in contact count 1");
+    visit("memory_objectness", self.memory_objectness, Range{0, 1},
+          "frames that follow one another: what a group that was one object in the frame before has ahead of others");
+    visit("memory_log_odds", self.memory_log_odds, Range{0, 10},
+          "and links within it, of their log odds; links to others lose as much");
     visit("exact_nodes", self.exact_nodes, Range{0, 100000000},
           "branch and bound gives up after so many steps, and annealing tries to better what it found");
     visit("iterations", self.iterations, Range{0, 10000000}, "annealing: moves tried");
@@ -53,7 +59,8 @@ struct GroupingConfig {
 };
 
 /// Value of each group for the packing: the log odds of its inner links, and weight_objectness times its objectness
-/// over least_objectness for each of its pieces. The sum of links keeps large groups from being joined for a few good
+/// over least_objectness for each of its pieces; a
+/// remembered group has memory_objectness more. The sum of links keeps large groups from being joined for a few good
 /// cues.
 PackingProblem packingProblem(int pieces, const std::vector<Link>& links, const std::vector<GroupHypothesis>& groups,
                               const GroupingConfig& config);

@@ -32,12 +32,13 @@ struct SceneBagSettings {
   objectness::sim::DepthSensor sensor;
   int frames = 1;
   double rate_hz = 10;
+  bool still = false;  ///< the camera stays where the scene has it
   /// The seed of a frame's noise.
   std::function<std::uint32_t(int frame)> noise_seed = [](int frame) { return static_cast<std::uint32_t>(frame); };
 };
 
-/// A recording of a camera that swings about the scene (sim::orbitPose()), frame i at kFirstStamp_s + i / rate_hz. The
-/// same arguments give the same bytes.
+/// A recording of a camera that swings about the scene (sim::orbitPose()) or stands still, frame i at kFirstStamp_s + i
+/// / rate_hz. The same arguments give the same bytes.
 constexpr std::uint32_t kFirstStamp_s = 1000;
 objectness::Status writeSceneBag(const std::string& path, const objectness::sim::Scene& scene,
                                  const SceneBagSettings& settings);

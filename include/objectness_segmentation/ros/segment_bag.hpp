@@ -10,6 +10,7 @@
 
 #include "objectness_segmentation/ros/bag_input.hpp"
 #include "objectness_segmentation/ros/bag_output.hpp"
+#include "objectness_segmentation/sequence.hpp"
 
 namespace objectness_segmentation {
 
@@ -24,6 +25,7 @@ struct BagFrame {
 
 struct SegmentBagSettings {
   bool approximate_sync = false;
+  int fuse_frames = objectness::kFuseFrames;  ///< 1: every frame for itself
   objectness::Config config;
   std::optional<objectness::LearnedObjectness> model;  ///< none: the built-in one
   const std::atomic<bool>* cancel = nullptr;           ///< true: no further frame, the one at work is given up
@@ -41,9 +43,9 @@ struct SegmentBagReport {
   static constexpr std::size_t kMaxRemarks = 5;
 };
 
-/// The nodelet's messages for every cloud or depth image of a bag, on /segment_objects/objects, segments and markers.
-/// Their time is the input's stamp (the time of recording where that is 0), processing_time and dropped_frames are 0:
-/// the same bag, configuration and seed give the same bytes.
+/// The nodelet's messages, without tf, for every cloud or depth image of a bag, on /segment_objects/objects, segments
+/// and markers. Their time is the input's stamp (the time of recording where that is 0), processing_time and
+/// dropped_frames are 0: the same bag, configuration and seed give the same bytes.
 SegmentBagReport segmentBag(const BagInput& input, const SegmentBagSettings& settings, BagOutput& output,
                             const std::function<void(const BagFrame&)>& on_frame);
 

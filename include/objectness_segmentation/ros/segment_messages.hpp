@@ -13,6 +13,7 @@
 #include "objectness_segmentation/config.hpp"
 #include "objectness_segmentation/learning/learned_objectness.hpp"
 #include "objectness_segmentation/result.hpp"
+#include "objectness_segmentation/sequence.hpp"
 
 namespace objectness_segmentation {
 
@@ -35,6 +36,7 @@ struct SegmentedFrame {
   int input_width = 0, input_height = 0;         ///< of what came in
   int step = 1;                                  ///< the frame has every so many-th row and column of it
   double conversion_ms = 0;                      ///< time from messages to frame
+  double fusion_ms = 0, tracking_ms = 0;
 };
 
 /// Inputs of more pixels than this are thinned out: they would only take longer.
@@ -45,6 +47,11 @@ constexpr std::int64_t kMaxPixels = 2100000;
 SegmentedFrame segmentMessages(const InputMessages& messages, const objectness::Config& config,
                                const std::optional<objectness::LearnedObjectness>& model,
                                const std::atomic<bool>* cancel);
+
+/// The same of messages that follow others; see FrameSequence for what is remembered.
+SegmentedFrame segmentNext(const InputMessages& messages, const objectness::Config& config,
+                           const std::optional<objectness::LearnedObjectness>& model, const std::atomic<bool>* cancel,
+                           const std::optional<Eigen::Isometry3d>& T_fixed_camera, objectness::FrameSequence& sequence);
 
 /// A result without frame that says why.
 SegmentedFrame failedFrame(objectness::Status status);

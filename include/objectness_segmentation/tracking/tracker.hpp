@@ -19,6 +19,7 @@ struct TrackingConfig {
   double min_similarity = 0.6;
   int max_missed_frames = 5;
   double max_missed_s = 2.0;
+  int settle_frames = 9;
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
@@ -33,6 +34,8 @@ struct TrackingConfig {
     visit("max_missed_frames", self.max_missed_frames, Range{0, 10000},
           "an object that was missed is remembered for this many frames");
     visit("max_missed_s", self.max_missed_s, Range{0, 3600}, "and for this time");
+    visit("settle_frames", self.settle_frames, Range{1, 100},
+          "the box of an object that does not move is the median of so many frames; 1: of each frame its own");
   }
 };
 

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "objectness_segmentation/pipeline.hpp"
+#include "objectness_segmentation/sequence.hpp"
+#include "objectness_segmentation/sim/scene_generator.hpp"
+#include "objectness_segmentation/sim/simulated_frame.hpp"
+
+using namespace objectness;
+
+namespace {
+
+/// Boxes before a stereo camera that stands still; every frame has noise of its own.
+class Sequence : public testing::Test {
+ protected:
+  Sequence() : sensor_(sim::DepthSensor::stereo({262.5, 262.5, 159.5, 119.5, 320, 240})) {
+    sim::SceneRequest request;
+    request.level = "boxes";
+    request.objects = 3;
+    request.camera = sensor_.camera;
+    const auto scene = sim::generateScene(request);
+    EXPECT_TRUE(scene.ok()) << scene.status.message;
+    scene_ = scene.value;
+  }
+  Frame look(unsigned noise) const {
+    const sim::SceneImages images = simulateFrame(scene_, scene_.T_world_camera, sensor_, noise).images;
+    const auto frame = makeFrame(images.depth_mm, images.color, images.camera, {});
+    EXPECT_TRUE(frame.ok()) << frame.status.message;
+    return frame.value;
+  }
+
+  sim::DepthSensor sensor_;
+  sim::Scene scene_;
+};
+
+/// Sum of the changes of box centres from frame to frame, by identity.
+double unrest(const SequenceResult& before, const SequenceResult& now) {
+  double sum = 0;
+  for (std::size_t i = 0; i < before.identities.size(); ++i) {
+    for (std::size_t j = 0; j < now.identities.size(); ++j) {
+      if (before.identities[i].id != now.identities[j].id) continue;
+      sum += (before.segmentation.segments[i].box.T_camera_box.translation() -
+              now.segmentation.segments[j].box.T_camera_box.translation())
+                 .norm();
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+TEST_F(Sequence, OfAStillSceneIsSteadierThanItsFrames) {
+  FrameSequence alone(1), fused(8);
+  Config config, unsettled;
+  unsettled.tracking.settle_frames = 1;
+  SequenceResult last_alone, last_fused;
+  double unrest_alone = 0, unrest_fused = 0;
+  for (unsigned k = 0; k < 12; ++k) {
+    const SequenceResult a = alone.next(look(k), {}, 0.1 * k, unsettled), b = fused.next(look(k), {}, 0.1 * k, config);
+    ASSERT_TRUE(b.segmentation.status.ok()) << b.segmentation.status.message;
+    ASSERT_EQ(b.identities.size(), b.segmentation.segments.size());
+    EXPECT_EQ(b.fused.restarted, k == 0) << k;
+    if (k >= 8) {
+      EXPECT_EQ(b.segmentation.segments.size(), last_fused.segmentation.segments.size()) << k;
+      unrest_alone += unrest(last_alone, a);
+      unrest_fused += unrest(last_fused, b);
+    }
+    last_alone = a;
+    last_fused = b;
+  }
+  EXPECT_GT(last_fused.segmentation.segments.size(), 0u);
+  EXPECT_LT(unrest_fused, 0.4 * unrest_alone);
+  EXPECT_EQ(fused.memoryBytes(), 6u * 320 * 240);
+}
+
+TEST_F(Sequence, OfSingleFramesIsSegment) {
+  FrameSequence alone(1);
+  Config config;
+  config.tracking.enabled = false;
+  for (unsigned k = 0; k < 2; ++k) {
+    const Frame frame = look(k);
+    const SequenceResult result = alone.next(frame, {}, 0, config);
+    const Segmentation single = segment(frame, config);
+    EXPECT_EQ(cv::countNonZero(result.segmentation.labels != single.labels), 0);
+    ASSERT_EQ(result.segmentation.segments.size(), single.segments.size());
+    for (std::size_t i = 0; i < single.segments.size(); ++i) {
+      EXPECT_EQ(result.segmentation.segments[i].box.size_m, single.segments[i].box.size_m);
+    }
+    EXPECT_TRUE(result.identities.empty());
+  }
+}
+
+TEST_F(Sequence, ForgetsWhenTimeGoesBack) {
+  FrameSequence sequence;
+  sequence.next(look(1), {}, 100, {});
+  EXPECT_FALSE(sequence.next(look(2), {}, 99.9, {}).fused.restarted);
+  const SequenceResult later = sequence.next(look(3), {}, 50, {});
+  EXPECT_TRUE(later.fused.restarted);
+  for (const Identity& identity : later.identities) EXPECT_EQ(identity.age_frames, 1);
+}
+
+TEST_F(Sequence, IsTheSameForAnyNumberOfThreads) {
+  FrameSequence one, two;
+  Config config_one, config_two;
+  config_one.runtime.threads = 1;
+  config_two.runtime.threads = 3;
+  for (unsigned k = 0; k < 3; ++k) {
+    const SequenceResult a = one.next(look(k), {}, k, config_one), b = two.next(look(k), {}, k, config_two);
+    EXPECT_EQ(cv::countNonZero(a.segmentation.labels != b.segmentation.labels), 0) << k;
+    ASSERT_EQ(a.segmentation.segments.size(), b.segmentation.segments.size());
+    for (std::size_t i = 0; i < a.segmentation.segments.size(); ++i) {
+      EXPECT_TRUE(a.segmentation.segments[i].box.T_camera_box.matrix() ==
+                  b.segmentation.segments[i].box.T_camera_box.matrix());
+    }
+  }
+}

@@ -63,11 +63,15 @@ void RememberedGroups::compare(std::vector<GroupHypothesis>& groups) const {
       known += known_[k];
       for (const auto& [label, count] : pixels_[k]) counts[label] += count;
     }
+    if (known == 0) continue;
     double best = 0;
+    int of_none = known;
     for (const auto& [label, count] : counts) {
       best = std::max(best, count / static_cast<double>(known + sizes_[label] - count));
+      of_none -= count;
     }
-    group.remembered = static_cast<float>(std::max(0.0, 2 * best - 1));
+    const double none = of_none / static_cast<double>(known);
+    group.remembered = static_cast<float>(std::max(0.0, 2 * best - 1) - std::max(0.0, 2 * none - 1));
   }
 }
 

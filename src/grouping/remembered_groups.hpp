@@ -28,8 +28,8 @@ class RememberedGroups {
   /// Adds to the log odds of links between pieces that were of one object, takes from those of different ones.
   void weighLinks(double log_odds, std::vector<Link>& links) const;
 
-  /// Sets GroupHypothesis::remembered: 0 for a group that shares half its points (intersection over union) or less with
-  /// what was one object, 1 for one that is the same.
+  /// Sets GroupHypothesis::remembered: 1 for a group that is what was one object, falling to 0 for one that shares half
+  /// its points with it (intersection over union); -1 for one that was no object at all, rising to 0 where half was.
   void compare(std::vector<GroupHypothesis>& groups) const;
 
  private:

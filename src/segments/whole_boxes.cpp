@@ -29,6 +29,8 @@ constexpr double kMaxFreeShare = 0.2;  // of a circle that is seen to be empty
 constexpr int kCircle = 24;            // places on it
 constexpr double kInsideM = 0.006;     // so far within its rim
 constexpr double kMaxWider = 2;        // a circle may be this much wider than what is seen
+constexpr double kMaxPastSide = 0.1;   // of it, past a side that nothing hides
+constexpr double kMaxPastFoot = 0.25;  // of one that widens to its foot, which is seen in part
 // What lies beyond the circle: a handle, or a sign that the thing is not round.
 constexpr double kMinBeyond = 0.03, kMaxBeyond = 0.3, kMinOneSided = 0.8, kSureScore = 1.5;
 
@@ -55,15 +57,28 @@ OrientedBox uprightBox(const PlanRectangle& rectangle, const SeenThing& thing) {
   return box;
 }
 
-double widthAcrossView(const SeenThing& thing, const Vector2d& axis) {
-  const Vector2d away = axis - thing.eye.head<2>().cast<double>();
+/// Whether a circle is as wide as what is seen of the thing, across the view, or wider where others hide it.
+bool fitsWidth(const RoundFit& fit, const SeenThing& thing, const SeenSpace& space) {
+  const Vector2d away = fit.axis - thing.eye.head<2>().cast<double>();
   const Vector2d across = Vector2d(-away.y(), away.x()).normalized();
   std::vector<float> values;
   for (const SeenPoint& q : thing.points) {
-    values.push_back(static_cast<float>(across.dot(q.place.head<2>().cast<double>())));
+    values.push_back(static_cast<float>(across.dot(q.place.head<2>().cast<double>() - fit.axis)));
   }
-  const double low = shareBelow(0.005, values);
-  return shareBelow(0.995, values) - low;
+  const double low = shareBelow(0.005, values), high = shareBelow(0.995, values);
+  const double diameter_m = 2 * fit.radius_m;
+  if (diameter_m >= kMaxWider * (high - low)) return false;
+  const double past_m = diameter_m * (fit.widest_m > thing.base_m ? kMaxPastSide : kMaxPastFoot);
+  for (const auto& [side, seen_m] : {std::pair{-1, -low}, {1, high}}) {
+    if (fit.radius_m - seen_m < past_m) continue;
+    int hidden = 0;
+    for (int i = 1; i <= kPlaces; ++i) {
+      const Vector2d rim = fit.axis + side * 0.5 * (seen_m + fit.radius_m) * across;
+      hidden += space.at({rim.x(), rim.y(), thing.base_m + i * thing.height() / (kPlaces + 1)}) == Seen::kBehindOther;
+    }
+    if (hidden < kMinHidden) return false;
+  }
+  return true;
 }
 
 bool isFree(const RoundFit& fit, const SeenThing& thing, const SeenSpace& space) {
@@ -85,7 +100,7 @@ std::optional<Whole> roundThing(const SeenThing& thing, const FaceDirection& fac
                        kSpreadWeight * std::log(std::max(kLeastSpread, fit->spread_m / thing.sigma_m));
   const bool one_sided = fit->beyond > kMinBeyond && fit->one_sided > kMinOneSided;
   if (score <= (one_sided ? kSureScore : 0)) return {};
-  if (2 * fit->radius_m >= kMaxWider * widthAcrossView(thing, fit->axis)) return {};
+  if (!fitsWidth(*fit, thing, space)) return {};
   if (isFree(*fit, thing, space)) return {};
   const bool body = one_sided && fit->beyond < kMaxBeyond;
   const Vector2d x = body ? fit->to_beyond : Vector2d(fit->axis - thing.eye.head<2>().cast<double>());

@@ -19,13 +19,16 @@ constexpr int kMostFrames = 100;
 // Of the camera: more is a movement.
 constexpr double kMaxShift_m = 0.001, kMaxTurn_rad = 0.1 * kDegree;
 
-// Of inverse depth, 1 / metres: steps of the sensor are not below the one; noise is not above the other.
-constexpr float kLeastSigma = 0.0015f, kMostSigma = 0.006f;
+// Of inverse depth, 1 / metres: steps of the sensor are not below this.
+constexpr float kLeastSigma = 0.0015f;
+constexpr double kMostDisparity_px = 0.2, kLeastBaseline_m = 0.05;  // more noise than that is none
+
 constexpr double kOneSigma = 0.683;  // share of a normal distribution within it
 constexpr float kBin = 0.0001f;
-constexpr int kBins = 200;
+constexpr int kBins = 400;
 constexpr float kGrowth = 1.1f;         // of the noise a frame, at most
 constexpr float kMovedSigmas = 2;       // deviations that grew by this much from one frame to the next
+constexpr double kMinMoved = 0.3;       // of the picture, in blocks that deviate
 constexpr double kMovedTogether = 0.6;  // share of the deviations that whole blocks have in common
 constexpr int kBlock_px = 64;
 constexpr int kMinInBlock = 256;
@@ -39,6 +42,11 @@ constexpr uchar kMaxOutliers = 2;          // that follow one another
 constexpr uchar kMinKnown = 2;             // frames that speak against one
 
 enum Kind : uchar { kNothing, kNew, kAgrees, kJumps, kMissing };
+
+/// The largest noise of inverse depth that is taken for noise.
+float mostSigma(const PinholeCamera& camera) {
+  return static_cast<float>(kMostDisparity_px / (camera.focal() * kLeastBaseline_m));
+}
 
 /// Standard deviation of one frame from the mean of so many others, in those of one frame.
 const std::array<float, kMostFrames + 1> kOfMean = [] {
@@ -79,9 +87,13 @@ struct DepthFusion::Change {
   cv::Mat_<uchar> kind;
   float sigma = 0;  ///< of the deviations, reduced to those of one frame
   bool moved_together = false;
+  float most_sigma;
 
   Change(const Frame& frame, const cv::Mat_<float>& known, const cv::Mat_<uchar>& count, int threads)
-      : inverse_m(known.size()), deviation(known.size()), kind(known.size(), kNothing) {
+      : inverse_m(known.size()),
+        deviation(known.size()),
+        kind(known.size(), kNothing),
+        most_sigma(mostSigma(frame.camera)) {
     for (int v = 0; v < frame.height(); ++v) {
       float* row = inverse_m[v];
       const Eigen::Vector3f* points = &frame.points[static_cast<std::size_t>(v) * frame.width()];
@@ -91,17 +103,16 @@ struct DepthFusion::Change {
 
     const int bands = (frame.height() + kBlock_px - 1) / kBlock_px;
     std::vector<DeviationCounts> counts(bands);
-    std::vector<std::array<double, 2>> sums(bands, {0, 0});  // together, and one by one
+    std::vector<std::array<double, 2>> sums(bands, {0, 0});  // of pixels: by what they have in common, and all
     parallelFor(bands, threads, [&](int band) { measure(known, count, band, counts[band], sums[band]); });
-    double together = 0, each = 0;
+    double together = 0, all = 0;
     for (int band = 0; band < bands; ++band) {
       if (band > 0) counts[0].add(counts[band]);
       together += sums[band][0];
-      each += sums[band][1];
+      all += sums[band][1];
     }
     sigma = counts[0].quantile(kOneSigma);
-    const double area = std::max(1, cv::countNonZero(deviation));
-    moved_together = together > kMovedTogether * each && each > 0.5 * kLeastSigma * area;
+    moved_together = together > kMovedTogether * all && all > kMinMoved * frame.size();
   }
 
   void measure(const cv::Mat_<float>& known, const cv::Mat_<uchar>& count, int band, DeviationCounts& counts,
@@ -121,15 +132,15 @@ struct DepthFusion::Change {
           if (!both) continue;
           const float size = std::abs(d);
           counts.add(size / kOfMean[count(v, u)]);
-          const float limit = kJumpSigmas * kMostSigma;
+          const float limit = kJumpSigmas * most_sigma;
           sum += std::clamp(d, -limit, limit);
           sizes += std::min(size, limit);
           ++pixels;
         }
       }
-      if (pixels < kMinInBlock) continue;
-      sums[0] += std::abs(sum);
-      sums[1] += sizes;
+      if (pixels < kMinInBlock || sizes < 0.5 * kLeastSigma * pixels) continue;
+      sums[0] += pixels * std::abs(sum) / sizes;
+      sums[1] += pixels;
     }
   }
 };
@@ -254,7 +265,7 @@ FusedDepth DepthFusion::fuse(const std::optional<Eigen::Isometry3d>& T_fixed_cam
   else {
     Change change(frame, inverse_m_, count_, threads);
     const bool noisier = sigma_ > 0 && change.sigma > kMovedSigmas * sigma_;
-    if (!change.moved_together && !noisier && change.sigma <= kMostSigma) {
+    if (!change.moved_together && !noisier && change.sigma <= mostSigma(camera_)) {
       const float measured = std::max(kLeastSigma, change.sigma);
       sigma_ = sigma_ > 0 ? std::min(measured, kGrowth * sigma_) : measured;
       const Surroundings around(change, count_, sigma_, threads);

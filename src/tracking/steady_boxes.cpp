@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kMovedM = 0.008;  // of the centre of what is seen
 constexpr int kMaxMissed = 5;
+constexpr double kMostly = 0.7;  // of the looks
 
 Eigen::Vector3d centreOf(const Frame& frame, const std::vector<int>& pixels) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -68,10 +69,11 @@ void SteadyBoxes::settle(const Frame& frame, const std::vector<Identity>& identi
     object.looks.push_back(look);
     while (object.looks.size() > static_cast<std::size_t>(frames)) object.looks.pop_front();
 
-    // Boxes of round things are not to be mixed with others: what most of them are.
-    const auto rounds = static_cast<std::size_t>(
-        std::count_if(object.looks.begin(), object.looks.end(), [](const Look& l) { return l.round; }));
-    segment.round = 2 * rounds > object.looks.size();
+    // Boxes of round things are not to be mixed with others: those of what it was go on until most looks say other.
+    const auto rounds = std::count_if(object.looks.begin(), object.looks.end(), [](const Look& l) { return l.round; });
+    const double share = static_cast<double>(rounds) / static_cast<double>(object.looks.size());
+    object.round = object.looks.size() == 1 ? look.round : object.round ? share >= 1 - kMostly : share > kMostly;
+    segment.round = object.round;
     std::vector<OrientedBox> boxes;
     for (const Look& l : object.looks) {
       if (l.round == segment.round) boxes.push_back(l.box);

@@ -31,6 +31,7 @@ class SteadyBoxes {
     std::deque<Look> looks;
     Eigen::Vector3d seen_centre;  ///< of the first look
     int missed = 0;
+    bool round = false;
   };
   std::map<std::uint64_t, Object> objects_;  ///< by Identity::id
 };

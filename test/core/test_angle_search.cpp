@@ -93,7 +93,8 @@ TEST(AngleSearch, TheTopKAreTheFirstOfAll) {
     const std::vector<ScoredBox> first(all.boxes.begin(), all.boxes.begin() + count);
     settings.search.top_k = k;
     // Starts: as low as it can, where the last of them is, somewhat over it, over all boxes.
-    for (const double start : {-10.0, static_cast<double>(first.back().objectness), first.back().objectness + 0.01, 9.0}) {
+    for (const double start :
+         {-10.0, static_cast<double>(first.back().objectness), first.back().objectness + 0.01, 9.0}) {
       for (const int threads : {1, 2}) {
         settings.search.top_k_start = start;
         settings.threads = threads;

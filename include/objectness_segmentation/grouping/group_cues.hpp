@@ -83,7 +83,7 @@ struct GroupHypothesis {
   OrientedBox box;          ///< camera's optical frame
   GroupCues cues;
   float objectness = 0;  ///< 0..1: expected overlap with a true object (judgeGroups()), or judgeGroupsByHand()
-  float remembered = 0;  ///< 0..1: how much it is an object of the frame before
+  float remembered = 0;  ///< 1: it is an object of the frame before; -1: it was none; 0: not known
 };
 
 /// What groups are judged by; must outlive the scorer.

@@ -47,7 +47,9 @@ struct GroupingConfig {
     visit("least_objectness", self.least_objectness, Range{0, 1}, "a group under it is rather left out");
     visit("weight_gaps", self.weight_gaps, Range{0, 10}, "of links over a gap; links in contact count 1");
     visit("memory_objectness", self.memory_objectness, Range{0, 1},
-          "frames that follow one another: what a group that was one object in the frame before has ahead of others");
+          "frames that follow one another: what a group that was one object in the frame before has ahead, and one "
+          "that was "
+          "none lags behind");
     visit("memory_log_odds", self.memory_log_odds, Range{0, 10},
           "and links within it, of their log odds; links to others lose as much");
     visit("exact_nodes", self.exact_nodes, Range{0, 100000000},

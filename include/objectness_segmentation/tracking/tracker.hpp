@@ -19,7 +19,7 @@ struct TrackingConfig {
   double min_similarity = 0.6;
   int max_missed_frames = 5;
   double max_missed_s = 2.0;
-  int settle_frames = 9;
+  int settle_frames = 15;
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <opencv2/imgproc.hpp>
 #include <vector>
 
 #include "objectness_segmentation/common/angles.hpp"
@@ -26,22 +25,23 @@ constexpr double kMostDisparity_px = 0.2, kLeastBaseline_m = 0.05;  // more nois
 constexpr double kOneSigma = 0.683;  // share of a normal distribution within it
 constexpr float kBin = 0.0001f;
 constexpr int kBins = 400;
-constexpr float kGrowth = 1.1f;         // of the noise a frame, at most
-constexpr float kMovedSigmas = 2;       // deviations that grew by this much from one frame to the next
-constexpr double kMinMoved = 0.3;       // of the picture, in blocks that deviate
-constexpr double kMovedTogether = 0.6;  // share of the deviations that whole blocks have in common
-constexpr int kBlock_px = 64;
-constexpr int kMinInBlock = 256;
+constexpr float kGrowth = 1.1f;              // of the noise a frame, at most
+constexpr float kMovedSigmas = 2;            // deviations that grew by this much from one frame to the next
+constexpr double kMinMoved = 0.3;            // of the picture, in blocks that deviate
+constexpr double kMovedTogether = 0.6;       // share of the deviations that whole blocks have in common
+constexpr int kPart_px = 64, kEvery_px = 4;  // parts of the picture that are measured, and pixels of them
+constexpr int kMinInPart = 16;
 
 constexpr float kJumpSigmas = 4, kDriftSigmas = 3;
-constexpr int kNear_px = 3, kMinNear = 5;  // of 9 pixels that jump, the scene has changed
-constexpr int kDrift_px = 11;              // side of the square over which a drift is averaged
-constexpr int kHole_px = 21;               // holes that are wider are no flicker
-constexpr double kMaxHoleShare = 0.7;      // of such a square
-constexpr uchar kMaxOutliers = 2;          // that follow one another
-constexpr uchar kMinKnown = 2;             // frames that speak against one
+constexpr int kBlock_px = 8;           // side of the squares over which a drift is averaged
+constexpr int kMinNear = 5;            // of 3 x 3 pixels that jump, the scene has changed
+constexpr double kMaxHoleShare = 0.7;  // of 3 x 3 blocks: holes that are wider are no flicker
+constexpr uchar kMaxOutliers = 2;      // that follow one another
+constexpr uchar kMinKnown = 2;         // frames that speak against one
 
 enum Kind : uchar { kNothing, kNew, kAgrees, kJumps, kMissing };
+
+float inverseOf(const Eigen::Vector3f& point) { return point.z() > 0 ? 1 / point.z() : 0; }  // NaN: 0
 
 /// The largest noise of inverse depth that is taken for noise.
 float mostSigma(const PinholeCamera& camera) {
@@ -80,68 +80,125 @@ class DeviationCounts {
 
 }  // namespace
 
-/// A frame beside what was known before it.
+/// How far a frame is from what was known before it, by some of its pixels.
+struct DepthFusion::Difference {
+  float sigma = 0;              ///< of the deviations, reduced to those of one frame
+  bool moved_together = false;  ///< they have one sign over whole parts of the picture
+
+  Difference(const Frame& frame, const cv::Mat_<float>& known, const cv::Mat_<uchar>& count) {
+    const float limit = kJumpSigmas * mostSigma(frame.camera);
+    DeviationCounts counts;
+    double together = 0, deviating = 0;
+    int measured = 0;
+    for (int top = 0; top < known.rows; top += kPart_px) {
+      for (int left = 0; left < known.cols; left += kPart_px) {
+        double sum = 0, sizes = 0;
+        int pixels = 0;
+        for (int v = top; v < std::min(known.rows, top + kPart_px); v += kEvery_px) {
+          for (int u = left; u < std::min(known.cols, left + kPart_px); u += kEvery_px) {
+            const float now = inverseOf(frame.points[v * known.cols + u]), before = known(v, u);
+            if (now == 0 || before == 0) continue;
+            const float d = std::clamp(now - before, -limit, limit);
+            counts.add(std::abs(now - before) / kOfMean[count(v, u)]);
+            sum += d;
+            sizes += std::abs(d);
+            ++pixels;
+          }
+        }
+        measured += pixels;
+        if (pixels < kMinInPart || sizes < 0.5 * kLeastSigma * pixels) continue;
+        together += pixels * std::abs(sum) / sizes;
+        deviating += pixels;
+      }
+    }
+    sigma = counts.quantile(kOneSigma);
+    moved_together = together > kMovedTogether * deviating && deviating > kMinMoved * measured;
+  }
+};
+
+/// What every pixel is beside what was known of it, with sums over blocks.
 struct DepthFusion::Change {
-  cv::Mat_<float> inverse_m;  ///< of the frame, 0: not measured
-  cv::Mat_<float> deviation;  ///< from what was known, 0 where either is missing
+  struct Block {
+    float drift = 0;  ///< sum of the deviations of the pixels that agree
+    float noise = 0;  ///< of their standard deviations
+    int missing = 0;
+    bool has_drifted = false;  ///< the mean of its pixels is no longer what it was
+  };
+  cv::Mat_<float> deviation;  ///< of those that agree and that jump
   cv::Mat_<uchar> kind;
-  float sigma = 0;  ///< of the deviations, reduced to those of one frame
-  bool moved_together = false;
-  float most_sigma;
+  cv::Mat_<uchar> is_bridged;  ///< empty when none is
+  int across;
+  std::vector<Block> blocks;
 
-  Change(const Frame& frame, const cv::Mat_<float>& known, const cv::Mat_<uchar>& count, int threads)
-      : inverse_m(known.size()),
-        deviation(known.size()),
-        kind(known.size(), kNothing),
-        most_sigma(mostSigma(frame.camera)) {
-    for (int v = 0; v < frame.height(); ++v) {
-      float* row = inverse_m[v];
-      const Eigen::Vector3f* points = &frame.points[static_cast<std::size_t>(v) * frame.width()];
-      for (int u = 0; u < frame.width(); ++u) row[u] = points[u].z() > 0 ? 1 / points[u].z() : 0;
+  Change(const Frame& frame, const cv::Mat_<float>& known, const cv::Mat_<uchar>& count, float sigma, int threads)
+      : deviation(known.size()),
+        kind(known.size()),
+        across((known.cols + kBlock_px - 1) / kBlock_px),
+        blocks(static_cast<std::size_t>(across) * ((known.rows + kBlock_px - 1) / kBlock_px)) {
+    if (!frame.bridged.empty()) {
+      is_bridged = cv::Mat_<uchar>(known.size(), static_cast<uchar>(0));
+      for (const int i : frame.bridged) is_bridged(i) = 1;
     }
-    for (const int i : frame.bridged) inverse_m(i / frame.width(), i % frame.width()) = 0;  // not measured either
-
-    const int bands = (frame.height() + kBlock_px - 1) / kBlock_px;
-    std::vector<DeviationCounts> counts(bands);
-    std::vector<std::array<double, 2>> sums(bands, {0, 0});  // of pixels: by what they have in common, and all
-    parallelFor(bands, threads, [&](int band) { measure(known, count, band, counts[band], sums[band]); });
-    double together = 0, all = 0;
-    for (int band = 0; band < bands; ++band) {
-      if (band > 0) counts[0].add(counts[band]);
-      together += sums[band][0];
-      all += sums[band][1];
-    }
-    sigma = counts[0].quantile(kOneSigma);
-    moved_together = together > kMovedTogether * all && all > kMinMoved * frame.size();
+    std::array<float, kMostFrames + 1> sigmas;
+    for (int c = 0; c <= kMostFrames; ++c) sigmas[c] = sigma * kOfMean[c];
+    const int bands = static_cast<int>(blocks.size()) / across;
+    parallelFor(bands, threads, [&](int band) {
+      for (int v = band * kBlock_px; v < std::min(known.rows, (band + 1) * kBlock_px); ++v) {
+        compareRow(frame, known[v], count[v], sigmas, v, &blocks[static_cast<std::size_t>(band) * across]);
+      }
+      for (int b = 0; b < across; ++b) {
+        Block& block = blocks[static_cast<std::size_t>(band) * across + b];
+        block.has_drifted = std::abs(block.drift) > kDriftSigmas * block.noise;
+      }
+    });
   }
 
-  void measure(const cv::Mat_<float>& known, const cv::Mat_<uchar>& count, int band, DeviationCounts& counts,
-               std::array<double, 2>& sums) {
-    const int last = std::min(known.rows, (band + 1) * kBlock_px);
-    for (int left = 0; left < known.cols; left += kBlock_px) {
-      const int right = std::min(known.cols, left + kBlock_px);
-      double sum = 0, sizes = 0;
-      int pixels = 0;
-      for (int v = band * kBlock_px; v < last; ++v) {
-        const float *now = inverse_m[v], *before = known[v];
-        for (int u = left; u < right; ++u) {
-          const bool both = now[u] > 0 && before[u] > 0;
-          const float d = both ? now[u] - before[u] : 0;
-          deviation(v, u) = d;
-          kind(v, u) = both ? kAgrees : now[u] > 0 ? kNew : before[u] > 0 ? kMissing : kNothing;
-          if (!both) continue;
-          const float size = std::abs(d);
-          counts.add(size / kOfMean[count(v, u)]);
-          const float limit = kJumpSigmas * most_sigma;
-          sum += std::clamp(d, -limit, limit);
-          sizes += std::min(size, limit);
-          ++pixels;
+  void compareRow(const Frame& frame, const float* known, const uchar* count,
+                  const std::array<float, kMostFrames + 1>& sigmas, int v, Block* row) {
+    const Eigen::Vector3f* points = &frame.points[static_cast<std::size_t>(v) * kind.cols];
+    const uchar* bridged = is_bridged.empty() ? nullptr : is_bridged[v];
+    uchar* kinds = kind[v];
+    float* deviations = deviation[v];
+    for (int b = 0; b < across; ++b) {
+      Block block = row[b];
+      for (int u = b * kBlock_px; u < std::min(kind.cols, (b + 1) * kBlock_px); ++u) {
+        const float now = bridged && bridged[u] ? 0 : inverseOf(points[u]), before = known[u];
+        if (now == 0 || before == 0) {
+          kinds[u] = now > 0 ? kNew : before > 0 ? kMissing : kNothing;
+          block.missing += kinds[u] == kMissing;
+          continue;
         }
+        const float d = now - before, s = sigmas[count[u]];
+        deviations[u] = d;
+        const bool agrees = std::abs(d) <= kJumpSigmas * s;
+        kinds[u] = agrees ? kAgrees : kJumps;
+        block.drift += agrees ? d : 0;
+        block.noise += agrees ? s : 0;
       }
-      if (pixels < kMinInBlock || sizes < 0.5 * kLeastSigma * pixels) continue;
-      sums[0] += pixels * std::abs(sum) / sizes;
-      sums[1] += pixels;
+      row[b] = block;
     }
+  }
+
+  const Block& blockOf(int v, int u) const { return blocks[v / kBlock_px * across + u / kBlock_px]; }
+
+  bool jumpsWithNeighbours(int v, int u) const {
+    int jumping = 0;
+    for (int y = std::max(0, v - 1); y <= std::min(kind.rows - 1, v + 1); ++y) {
+      for (int x = std::max(0, u - 1); x <= std::min(kind.cols - 1, u + 1); ++x) jumping += kind(y, x) == kJumps;
+    }
+    return jumping >= kMinNear;
+  }
+
+  bool isWideHole(int v, int u) const {
+    const int down = static_cast<int>(blocks.size()) / across, y = v / kBlock_px, x = u / kBlock_px;
+    int missing = 0, all = 0;
+    for (int j = std::max(0, y - 1); j <= std::min(down - 1, y + 1); ++j) {
+      for (int i = std::max(0, x - 1); i <= std::min(across - 1, x + 1); ++i) {
+        missing += blocks[j * across + i].missing;
+        all += kBlock_px * kBlock_px;
+      }
+    }
+    return missing > kMaxHoleShare * all;
   }
 };
 
@@ -170,10 +227,11 @@ bool DepthFusion::isAnother(const Frame& frame, const std::optional<Eigen::Isome
 }
 
 void DepthFusion::restart(const Frame& frame, const std::optional<Eigen::Isometry3d>& T_fixed_camera) {
+  if (isAnother(frame, T_fixed_camera)) sigma_ = 0;
   camera_ = frame.camera;
   T_fixed_camera_ = T_fixed_camera;
   inverse_m_.create(frame.height(), frame.width());
-  for (int i = 0; i < frame.size(); ++i) inverse_m_(i) = frame.points[i].z() > 0 ? 1 / frame.points[i].z() : 0;
+  for (int i = 0; i < frame.size(); ++i) inverse_m_(i) = inverseOf(frame.points[i]);
   for (const int i : frame.bridged) inverse_m_(i) = 0;
   count_.create(inverse_m_.size());
   count_.setTo(1);
@@ -181,75 +239,45 @@ void DepthFusion::restart(const Frame& frame, const std::optional<Eigen::Isometr
   missed_.setTo(0);
 }
 
-/// Tells the pixels that jump from those that agree, and sums up around every pixel.
-struct DepthFusion::Surroundings {
-  cv::Mat_<uchar> jumps, agrees;  ///< in a square of kNear_px, of kDrift_px
-  cv::Mat_<float> drift;          ///< sum of the deviations of those that agree
-  cv::Mat_<int> missing;          ///< in a square of kHole_px
-
-  Surroundings(Change& change, const cv::Mat_<uchar>& count, float sigma, int threads) {
-    const cv::Size size = count.size();
-    cv::Mat_<uchar> jump(size), agree(size), miss(size);
-    parallelFor(size.height, threads, [&](int v) {
-      for (int u = 0; u < size.width; ++u) {
-        uchar& kind = change.kind(v, u);
-        if (kind == kAgrees && std::abs(change.deviation(v, u)) > kJumpSigmas * sigma * kOfMean[count(v, u)]) {
-          kind = kJumps;
-          change.deviation(v, u) = 0;
-        }
-        jump(v, u) = kind == kJumps;
-        agree(v, u) = kind == kAgrees;
-        miss(v, u) = kind == kMissing;
-      }
-    });
-    const auto sumOver = [](const cv::Mat& image, int side_px, int depth, cv::Mat& sums) {
-      cv::boxFilter(image, sums, depth, {side_px, side_px}, {-1, -1}, false, cv::BORDER_CONSTANT);
-    };
-    sumOver(jump, kNear_px, CV_8U, jumps);
-    sumOver(agree, kDrift_px, CV_8U, agrees);
-    sumOver(change.deviation, kDrift_px, CV_32F, drift);
-    sumOver(miss, kHole_px, CV_32S, missing);
-  }
-};
-
-bool DepthFusion::hasChanged(const Change& change, const Surroundings& around, int v, int u) const {
-  const uchar count = count_(v, u);
+/// Of a pixel that does not agree.
+bool DepthFusion::hasChanged(const Change& change, int v, int u) const {
   switch (change.kind(v, u)) {
-    case kAgrees:
-      return std::abs(around.drift(v, u)) > kDriftSigmas * sigma_ * kOfMean[count] * around.agrees(v, u);
     case kJumps:
-      return around.jumps(v, u) >= kMinNear || missed_(v, u) >= kMaxOutliers || count < kMinKnown;
+      return missed_(v, u) >= kMaxOutliers || count_(v, u) < kMinKnown || change.jumpsWithNeighbours(v, u);
     case kMissing:
-      return around.missing(v, u) > kMaxHoleShare * kHole_px * kHole_px;
+      return change.isWideHole(v, u);
     default:
       return false;
   }
 }
 
-FusedDepth DepthFusion::fuseRow(const Change& change, const Surroundings& around, int v, Frame& frame) {
+FusedDepth DepthFusion::fuseRow(const Change& change, int v, Frame& frame) {
   FusedDepth row;
   Eigen::Vector3f* points = &frame.points[static_cast<std::size_t>(v) * frame.width()];
+  const uchar* kinds = change.kind[v];
+  const float* deviations = change.deviation[v];
+  float* knowns = inverse_m_[v];
+  uchar *counts = count_[v], *misses = missed_[v];
+  const Change::Block* blocks = &change.blockOf(v, 0);
   for (int u = 0; u < frame.width(); ++u) {
-    const uchar kind = change.kind(v, u);
+    const uchar kind = kinds[u];
     if (kind == kNothing) continue;
-    float& known = inverse_m_(v, u);
-    uchar &count = count_(v, u), &missed = missed_(v, u);
-    const bool changed = hasChanged(change, around, v, u);
+    const bool changed = kind == kAgrees ? blocks[u / kBlock_px].has_drifted : hasChanged(change, v, u);
     if (kind == kNew || changed) {
-      known = change.inverse_m(v, u);
-      count = 1;
-      missed = 0;
+      knowns[u] = kind == kMissing ? 0 : inverseOf(points[u]);
+      counts[u] = 1;
+      misses[u] = 0;
       row.changed += changed;
     } else if (kind == kAgrees) {
-      count = static_cast<uchar>(std::min<int>(count + 1, frames_));
-      missed = 0;
-      known += change.deviation(v, u) / static_cast<float>(count);
-      points[u] *= 1 / (known * points[u].z());
+      if (counts[u] < frames_) ++counts[u];
+      misses[u] = 0;
+      knowns[u] += deviations[u] / static_cast<float>(counts[u]);
+      points[u] *= 1 / (knowns[u] * points[u].z());
       ++row.averaged;
-    } else if (++missed > frames_ && kind == kMissing) {
-      known = 0;
-    } else if (count >= kMinKnown) {
-      points[u] = (frame.camera.ray(u, v) / known).cast<float>();
+    } else if (++misses[u] > frames_ && kind == kMissing) {
+      knowns[u] = 0;
+    } else if (counts[u] >= kMinKnown) {
+      points[u] = (frame.camera.ray(u, v) / knowns[u]).cast<float>();
       row.filled += kind == kMissing;
       row.averaged += kind == kJumps;
     }
@@ -257,34 +285,35 @@ FusedDepth DepthFusion::fuseRow(const Change& change, const Surroundings& around
   return row;
 }
 
+/// False when the camera moved.
+bool DepthFusion::measureNoise(const Difference& difference) {
+  if (difference.moved_together || difference.sigma > mostSigma(camera_)) return false;
+  if (sigma_ > 0 && difference.sigma > kMovedSigmas * sigma_) return false;
+  const float measured = std::max(kLeastSigma, difference.sigma);
+  sigma_ = sigma_ > 0 ? std::min(measured, kGrowth * sigma_) : measured;
+  return true;
+}
+
 FusedDepth DepthFusion::fuse(const std::optional<Eigen::Isometry3d>& T_fixed_camera, int threads, Frame& frame) {
   FusedDepth fused;
   if (frames_ == 1) return fused;
-  if (isAnother(frame, T_fixed_camera))
-    sigma_ = 0;
-  else {
-    Change change(frame, inverse_m_, count_, threads);
-    const bool noisier = sigma_ > 0 && change.sigma > kMovedSigmas * sigma_;
-    if (!change.moved_together && !noisier && change.sigma <= mostSigma(camera_)) {
-      const float measured = std::max(kLeastSigma, change.sigma);
-      sigma_ = sigma_ > 0 ? std::min(measured, kGrowth * sigma_) : measured;
-      const Surroundings around(change, count_, sigma_, threads);
-      std::vector<FusedDepth> rows(frame.height());
-      parallelFor(frame.height(), threads, [&](int v) { rows[v] = fuseRow(change, around, v, frame); });
-      for (const FusedDepth& row : rows) {
-        fused.averaged += row.averaged;
-        fused.filled += row.filled;
-        fused.changed += row.changed;
-      }
-      const auto is_filled = [&](int i) {
-        return change.kind(i) == kMissing && inverse_m_(i) > 0 && count_(i) >= kMinKnown;
-      };
-      frame.bridged.erase(std::remove_if(frame.bridged.begin(), frame.bridged.end(), is_filled), frame.bridged.end());
-      return fused;
-    }
+  if (isAnother(frame, T_fixed_camera) || !measureNoise(Difference(frame, inverse_m_, count_))) {
+    restart(frame, T_fixed_camera);
+    fused.restarted = true;
+    return fused;
   }
-  restart(frame, T_fixed_camera);
-  fused.restarted = true;
+  const Change change(frame, inverse_m_, count_, sigma_, threads);
+  std::vector<FusedDepth> rows(frame.height());
+  parallelFor(frame.height(), threads, [&](int v) { rows[v] = fuseRow(change, v, frame); });
+  for (const FusedDepth& row : rows) {
+    fused.averaged += row.averaged;
+    fused.filled += row.filled;
+    fused.changed += row.changed;
+  }
+  const auto is_filled = [&](int i) {
+    return change.kind(i) == kMissing && inverse_m_(i) > 0 && count_(i) >= kMinKnown;
+  };
+  frame.bridged.erase(std::remove_if(frame.bridged.begin(), frame.bridged.end(), is_filled), frame.bridged.end());
   return fused;
 }
 

@@ -53,12 +53,13 @@ class DepthFusion {
   std::size_t memoryBytes() const;
 
  private:
+  struct Difference;
   struct Change;
-  struct Surroundings;
   bool isAnother(const Frame& frame, const std::optional<Eigen::Isometry3d>& T_fixed_camera) const;
   void restart(const Frame& frame, const std::optional<Eigen::Isometry3d>& T_fixed_camera);
-  bool hasChanged(const Change& change, const Surroundings& around, int v, int u) const;
-  FusedDepth fuseRow(const Change& change, const Surroundings& around, int v, Frame& frame);
+  bool measureNoise(const Difference& difference);
+  bool hasChanged(const Change& change, int v, int u) const;
+  FusedDepth fuseRow(const Change& change, int v, Frame& frame);
 
   int frames_;
   PinholeCamera camera_;

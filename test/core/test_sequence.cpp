@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+#include <string>
+
+#include "fixtures/ray_cast.hpp"
 #include "objectness_segmentation/pipeline.hpp"
 #include "objectness_segmentation/sequence.hpp"
 #include "objectness_segmentation/sim/scene_generator.hpp"
@@ -116,4 +121,94 @@ TEST_F(Sequence, IsTheSameForAnyNumberOfThreads) {
                   b.segmentation.segments[i].box.T_camera_box.matrix());
     }
   }
+}
+
+namespace {
+
+struct Thing {
+  Eigen::Vector3d at;  ///< middle of its foot, world
+  Eigen::Vector3d size;
+};
+
+/// Boxes on a table that are moved while the camera stands still.
+class ChangingScene : public testing::Test {
+ protected:
+  /// How well each thing is segmented: the best Dice of any segment.
+  std::vector<double> look(const std::vector<Thing>& things) {
+    objectness_test::Scene scene;
+    scene.camera = {262.5, 262.5, 159.5, 119.5, 320, 240};
+    scene.T_world_camera = objectness_test::lookAt({0, -0.65, 0.65}, {0, 0, 0.03});
+    scene.surfaces.push_back(objectness_test::slab(-0.5, -0.4, 0.5, 0.5, 0));
+    for (const Thing& thing : things) {
+      const Eigen::Vector3d half(0.5 * thing.size.x(), 0.5 * thing.size.y(), 0);
+      scene.surfaces.push_back(
+          objectness_test::box(thing.at - half, thing.at + half + Eigen::Vector3d(0, 0, thing.size.z())));
+    }
+    Frame frame = scene.render();
+    std::mt19937 random(++frames_);
+    std::normal_distribution<float> noise(0, 0.001f);
+    for (Eigen::Vector3f& p : frame.points) {
+      const float error = noise(random);
+      if (p.z() > 0) p *= 1 / (1 + error * p.z());
+    }
+    result_ = sequence_.next(frame, {}, 0.1 * frames_, {});
+    EXPECT_TRUE(result_.segmentation.status.ok()) << result_.segmentation.status.message;
+    std::vector<double> dices;
+    for (std::size_t k = 0; k < things.size(); ++k) {
+      double best = 0;
+      for (const Segment& segment : result_.segmentation.segments) {
+        double both = 0, all = static_cast<double>(segment.pixels.size());
+        for (int i = 0; i < frame.size(); ++i) all += scene.seen[i] == static_cast<int>(k) + 1;
+        for (const int i : segment.pixels) both += scene.seen[i] == static_cast<int>(k) + 1;
+        best = std::max(best, 2 * both / all);
+      }
+      dices.push_back(best);
+    }
+    return dices;
+  }
+  void expectAll(const std::vector<Thing>& things, double least, const std::string& what) {
+    for (const double dice : look(things)) EXPECT_GT(dice, least) << what;
+    EXPECT_EQ(result_.segmentation.segments.size(), things.size()) << what;
+  }
+
+  const Thing left_{{-0.2, 0, 0}, {0.1, 0.1, 0.14}}, right_{{0.18, 0.05, 0}, {0.08, 0.1, 0.1}};
+  FrameSequence sequence_;
+  SequenceResult result_;
+  unsigned frames_ = 0;
+};
+
+}  // namespace
+
+TEST_F(ChangingScene, WhatAppearsAndGoesIsSeenInTheSameFrame) {
+  for (int k = 0; k < 10; ++k) expectAll({left_}, 0.9, "one thing, frame " + std::to_string(k));
+  for (int k = 0; k < 3; ++k) expectAll({left_, right_}, 0.9, "two things, frame " + std::to_string(k));
+  for (int k = 0; k < 3; ++k) expectAll({right_}, 0.9, "the other thing, frame " + std::to_string(k));
+}
+
+TEST_F(ChangingScene, WhatSlidesIsWhereItIs) {
+  for (int k = 0; k < 10; ++k) look({left_, right_});
+  for (int k = 1; k <= 12; ++k) {
+    Thing sliding = right_;
+    sliding.at.x() -= 0.012 * k;
+    expectAll({left_, sliding}, 0.88, "frame " + std::to_string(k));
+    const OrientedBox* nearest = nullptr;
+    const Eigen::Vector3d centre = objectness_test::lookAt({0, -0.65, 0.65}, {0, 0, 0.03}).inverse() *
+                                   (sliding.at + Eigen::Vector3d(0, 0, 0.5 * sliding.size.z()));
+    double best = 1;
+    for (const Segment& segment : result_.segmentation.segments) {
+      const double distance = (segment.box.T_camera_box.translation() - centre).norm();
+      if (distance < best) best = distance, nearest = &segment.box;
+    }
+    EXPECT_TRUE(nearest && best < 0.02) << best << " m off in frame " << k;
+  }
+}
+
+TEST_F(ChangingScene, WhatWasOneObjectBecomesTwoWhenItsPartsMove) {
+  const Thing half{{-0.05, 0, 0}, {0.1, 0.1, 0.12}};
+  Thing other = half;
+  other.at.x() = 0.05;
+  for (int k = 0; k < 10; ++k) look({half, other});
+  other.at.x() = 0.12;
+  look({half, other});
+  expectAll({half, other}, 0.9, "in the second frame");
 }

@@ -32,6 +32,7 @@ constexpr double kGrowth = 0.05;
 Config configOf(int index) {
   Config config;
   config.runtime.threads = 1;
+  config.tracking.settle_frames = 1;
   config.object_points.min_threshold_m = config.object_points.max_threshold_m = 0.006 + 0.004 * index;
   config.normals.min_window_px += index % 3;
   config.superpixels.convex_deg -= 5 * (index % 2);
@@ -63,6 +64,7 @@ class Endurance : public ::testing::Test {
  protected:
   void SetUp() override {
     ros::param::set(std::string(kNode) + "/runtime_threads", 1);
+    ros::param::set(std::string(kNode) + "/fuse_frames", 1);  // a result is of its own frame alone
     ASSERT_TRUE(host_.load(kNode));
     subscriber_ = listen(kNode, [this](const SegmentedObjectArrayConstPtr& array) { receive(*array); });
     ASSERT_TRUE(spinUntil([&] { return host_.connected(1); }));

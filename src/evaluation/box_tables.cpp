@@ -80,7 +80,7 @@ std::string objectsCsv(const Run& run, const std::vector<SceneResult>& results) 
         csv << method.name << ',' << csvCell(result.scene) << ',' << fit.object << ',' << csvCell(fit.kind) << ','
             << fixedText(fit.dice, 5) << ',' << fixedText(errors.overlap, 5) << ',' << fixedText(fit.points_overlap, 5)
             << ',' << fixedText(errors.centre_mm, 2) << ',' << (errors.yaw_deg ? fixedText(*errors.yaw_deg, 2) : "");
-        for (const double side_mm : errors.sides_mm) csv << ',' << fixedText(side_mm, 2);
+        for (int side = 0; side < 3; ++side) csv << ',' << fixedText(errors.sides_mm[side], 2);
         csv << '\n';
       }
     }

@@ -43,7 +43,8 @@ int integrateSlab(const SlabColumns& columns, const std::uint16_t* before, std::
       for (int group = 0; group < stride / 8; ++group) {
         const unsigned byte = group / 8 < words ? column[group / 8] >> (group % 8 * 8) & 0xFF : 0;
         const std::uint16_t* inside = kBits.below[byte];
-        for (int i = 0; i < 8; ++i) line[group * 8 + i] = static_cast<std::uint16_t>(line[group * 8 + i] + below + inside[i]);
+        for (int i = 0; i < 8; ++i)
+          line[group * 8 + i] = static_cast<std::uint16_t>(line[group * 8 + i] + below + inside[i]);
         below = static_cast<std::uint16_t>(below + kBits.all[byte]);
       }
       total += below;

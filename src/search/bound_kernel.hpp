@@ -12,13 +12,13 @@ struct CornerColumns {
 
 /// What is known of all boxes of a node (BoundedSearch): `outer` holds each of them, each of them holds `inner`.
 struct NodeFootprint {
-  CornerColumns edges_outer;   ///< of the edge volume
-  CornerColumns ring_outer;    ///< edge volume over the expanded inner box, raised by the ring's height
-  CornerColumns ring_inner;    ///< edge volume over what that shares with the outer box
-  CornerColumns filled_inner;  ///< of the filled volume
-  std::uint16_t inner_base;    ///< voxels of the inner footprint
-  float base_low, base_high;   ///< least and largest top face
-  float sides_low, sides_high; ///< least and largest visible side area per voxel of height
+  CornerColumns edges_outer;    ///< of the edge volume
+  CornerColumns ring_outer;     ///< edge volume over the expanded inner box, raised by the ring's height
+  CornerColumns ring_inner;     ///< edge volume over what that shares with the outer box
+  CornerColumns filled_inner;   ///< of the filled volume
+  std::uint16_t inner_base;     ///< voxels of the inner footprint
+  float base_low, base_high;    ///< least and largest top face
+  float sides_low, sides_high;  ///< least and largest visible side area per voxel of height
 };
 
 /// Eq. 6 as the bound needs it; weight_edges, weight_outer >= 0, weight_free <= 0.

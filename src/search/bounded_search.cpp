@@ -25,8 +25,8 @@ class BoundedSearch {
   SearchResult run() {
     result_.sampled = countBoxes(volumes_.grid, s_);
     if (result_.sampled == 0) return std::move(result_);
-    BoxRanges all{allFaces(volumes_.grid.nx), allFaces(volumes_.grid.ny),
-                  {s_.min_size, std::min(s_.max_size, volumes_.grid.nz)}};
+    BoxRanges all{
+        allFaces(volumes_.grid.nx), allFaces(volumes_.grid.ny), {s_.min_size, std::min(s_.max_size, volumes_.grid.nz)}};
     visit(all, 0);
     sortBestFirst(result_.boxes);
     return std::move(result_);

@@ -18,8 +18,8 @@ struct ColumnTable {
   explicit ColumnTable(const IntegralVolume& volume)
       : first(volume.column(0, 0)), stride_x(volume.strideX()), stride_y(volume.strideY()) {}
 
-  /// The four corner columns of a footprint, `raise` voxels up. Written in place: a copy, put together of parts that were
-  /// just written, costs more than all else in here.
+  /// The four corner columns of a footprint, `raise` voxels up. Written in place: a copy, put together of parts that
+  /// were just written, costs more than all else in here.
   void corners(int x0, int x1, int y0, int y1, int raise, CornerColumns& columns) const {
     const std::uint16_t *left = first + x0 * stride_x + raise, *right = first + x1 * stride_x + raise;
     const std::ptrdiff_t front = y0 * stride_y, back = y1 * stride_y;

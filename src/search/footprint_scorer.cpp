@@ -22,9 +22,16 @@ FootprintScorer::FootprintScorer(const CueVolumes& volumes, int angle, const Sea
   sums_.resize(heights);
   int* n = integers_.data();
   float* f = floats_.data();
-  columns_ = {n,           n + heights,     n + 2 * heights, f,
-              f + heights, f + 2 * heights, f + 3 * heights, f + 4 * heights,
-              sums_.data(), n + 3 * heights};
+  columns_ = {n,
+              n + heights,
+              n + 2 * heights,
+              f,
+              f + heights,
+              f + 2 * heights,
+              f + 3 * heights,
+              f + 4 * heights,
+              sums_.data(),
+              n + 3 * heights};
 }
 
 bool FootprintScorer::passesGates(int height) const {
@@ -65,8 +72,8 @@ int FootprintScorer::score(int x0, int x1, int y0, int y1, HeightRange heights, 
   const bool all = task_.objectness.three_face_area;
   BoxColumns columns;
   edges_.corners(x0, x1, y0, y1, 0, columns.edges);
-  edges_.corners(std::max(x0 - r, 0), std::min(x1 + r, grid.nx), std::max(y0 - r, 0),
-                           std::min(y1 + r, grid.ny), task_.ring.z, columns.ring);
+  edges_.corners(std::max(x0 - r, 0), std::min(x1 + r, grid.nx), std::max(y0 - r, 0), std::min(y1 + r, grid.ny),
+                 task_.ring.z, columns.ring);
   filled_.corners(x0, x1, y0, y1, 0, columns.filled);
   occupied_.corners(x0, x1, y0, y1, 0, columns.occupied);
   columns.size_x = box.sizeX(), columns.size_y = box.sizeY();
@@ -78,8 +85,8 @@ int FootprintScorer::score(int x0, int x1, int y0, int y1, HeightRange heights, 
     if (!(columns_.objectness[h] >= threshold) || !passesGates(h)) continue;
     box.height = h;
     boxes.push_back({box,
-                     {columns_.edge_density[h], columns_.outer_edges[h], columns_.straddling[h],
-                      columns_.free_space[h], columns_.free_voxels[h]},
+                     {columns_.edge_density[h], columns_.outer_edges[h], columns_.straddling[h], columns_.free_space[h],
+                      columns_.free_voxels[h]},
                      columns_.objectness[h]});
   }
   return scored;

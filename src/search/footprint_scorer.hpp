@@ -14,8 +14,8 @@ class FootprintScorer {
  public:
   FootprintScorer(const CueVolumes& volumes, int angle, const SearchTask& task, const std::vector<float>& top_visible);
 
-  /// Appends the boxes of the sampling with heights in `heights` whose objectness reaches the threshold. Returns how many
-  /// boxes were scored.
+  /// Appends the boxes of the sampling with heights in `heights` whose objectness reaches the threshold. Returns how
+  /// many boxes were scored.
   int score(int x0, int x1, int y0, int y1, HeightRange heights, double threshold, std::vector<ScoredBox>& boxes);
 
  private:

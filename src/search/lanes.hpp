@@ -8,8 +8,8 @@
 
 namespace objectness {
 
-// Eight heights at a time, by the vector extensions of g++ and clang: on every processor the same results, on those with
-// AVX2 one instruction each. Vectors never cross a function's border by value: how they are passed depends on the
+// Eight heights at a time, by the vector extensions of g++ and clang: on every processor the same results, on those
+// with AVX2 one instruction each. Vectors never cross a function's border by value: how they are passed depends on the
 // processor that a file is compiled for.
 constexpr int kLanes = 8;
 using Floats = float __attribute__((vector_size(4 * kLanes)));

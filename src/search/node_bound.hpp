@@ -9,8 +9,8 @@
 
 namespace objectness {
 
-/// What no box of a node can exceed (BoundedSearch). Follows the search down, node by node: superpixels that lie outside
-/// all boxes of a node or inside all of them are settled for everything below it.
+/// What no box of a node can exceed (BoundedSearch). Follows the search down, node by node: superpixels that lie
+/// outside all boxes of a node or inside all of them are settled for everything below it.
 class NodeBound {
  public:
   NodeBound(const CueVolumes& volumes, const SearchTask& task, const std::vector<float>& top_visible);

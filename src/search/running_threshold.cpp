@@ -12,11 +12,7 @@ constexpr int kEvery = 32;  // boxes between two looks at the counts
 }  // namespace
 
 RunningThreshold::RunningThreshold(int k, double lowest, double highest)
-    : k_(k),
-      lowest_(lowest),
-      width_(std::max(highest - lowest, 1e-6) / kBuckets),
-      counts_(kBuckets),
-      value_(lowest) {}
+    : k_(k), lowest_(lowest), width_(std::max(highest - lowest, 1e-6) / kBuckets), counts_(kBuckets), value_(lowest) {}
 
 void RunningThreshold::add(float objectness) {
   const double position = (static_cast<double>(objectness) - lowest_) / width_;

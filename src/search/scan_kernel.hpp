@@ -16,9 +16,9 @@ struct ScanConstants {
 /// The footprint of a row of boxes that differ in height only; lengths and areas in voxels.
 struct ScanFootprint {
   CornerColumns edges, ring, filled;  ///< ring: of the expanded footprint, already shifted up by the ring's height
-  float base;                            ///< sx * sy
-  float sides;                           ///< visible side area per voxel of height
-  const float* top_visible;              ///< 1 where the top face at this height is visible, else 0
+  float base;                         ///< sx * sy
+  float sides;                        ///< visible side area per voxel of height
+  const float* top_visible;           ///< 1 where the top face at this height is visible, else 0
 };
 
 /// bound[h - first] >= objectness of the box of height h, h = first..last, up to float rounding; -1e30 where the edge

@@ -67,8 +67,8 @@ class Scan {
     const int r = task_.ring.xy;
     ScanFootprint footprint;
     edges_.corners(x0, x1, y0, y1, 0, footprint.edges);
-    edges_.corners(std::max(x0 - r, 0), std::min(x1 + r, volumes_.grid.nx),
-                               std::max(y0 - r, 0), std::min(y1 + r, volumes_.grid.ny), task_.ring.z, footprint.ring);
+    edges_.corners(std::max(x0 - r, 0), std::min(x1 + r, volumes_.grid.nx), std::max(y0 - r, 0),
+                   std::min(y1 + r, volumes_.grid.ny), task_.ring.z, footprint.ring);
     filled_.corners(x0, x1, y0, y1, 0, footprint.filled);
     footprint.base = static_cast<float>((x1 - x0) * (y1 - y0));
     const Eigen::Vector3d& eye = volumes_.viewpoint;

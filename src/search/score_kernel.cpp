@@ -54,9 +54,9 @@ void scoreHeights(const BoxColumns& box, const SuperpixelColumns* superpixels, i
     scores.outer_edges[h] = outer_edges;
     scores.straddling[h] = straddling;
     scores.free_space[h] = free_space;
-    scores.objectness[h] = static_cast<float>(k.weight_edges * edge_density +
-                                              k.weight_outer * outer_edges * straddling +
-                                              k.weight_free * free_space + k.constant);
+    scores.objectness[h] =
+        static_cast<float>(k.weight_edges * edge_density + k.weight_outer * outer_edges * straddling +
+                           k.weight_free * free_space + k.constant);
   }
 }
 

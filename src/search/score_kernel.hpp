@@ -9,7 +9,7 @@ namespace objectness {
 struct BoxColumns {
   CornerColumns edges, ring;  ///< ring: of the expanded footprint, raised by the ring's height
   CornerColumns filled, occupied;
-  double size_x, size_y;            ///< voxels
+  double size_x, size_y;                ///< voxels
   bool side_x_visible, side_y_visible;  ///< the visible sides: sy * height and sx * height
 };
 

@@ -7,32 +7,20 @@
 #include <cstdint>
 #include <vector>
 
+#include "depth_difference.hpp"
 #include "objectness_segmentation/common/angles.hpp"
 #include "objectness_segmentation/common/parallel.hpp"
 
 namespace objectness {
 namespace {
 
-constexpr int kMostFrames = 100;
-
 // Of the camera: more is a movement.
 constexpr double kMaxShift_m = 0.001, kMaxTurn_rad = 0.1 * kDegree;
 
-// Of inverse depth, 1 / metres: steps of the sensor are not below this.
-constexpr float kLeastSigma = 0.0015f;
-constexpr double kMostDisparity_px = 0.2, kLeastBaseline_m = 0.05;  // more noise than that is none
+constexpr float kGrowth = 1.1f;    // of the noise a frame, at most
+constexpr float kMovedSigmas = 2;  // deviations that grew by this much from one frame to the next
 
-constexpr double kOneSigma = 0.683;  // share of a normal distribution within it
-constexpr float kBin = 0.0001f;
-constexpr int kBins = 400;
-constexpr float kGrowth = 1.1f;              // of the noise a frame, at most
-constexpr float kMovedSigmas = 2;            // deviations that grew by this much from one frame to the next
-constexpr double kMinMoved = 0.3;            // of the picture, in blocks that deviate
-constexpr double kMovedTogether = 0.6;       // share of the deviations that whole blocks have in common
-constexpr int kPart_px = 64, kEvery_px = 4;  // parts of the picture that are measured, and pixels of them
-constexpr int kMinInPart = 16;
-
-constexpr float kJumpSigmas = 4, kDriftSigmas = 3;
+constexpr float kDriftSigmas = 3;
 constexpr int kBlock_px = 8;           // side of the squares over which a drift is averaged
 constexpr int kMinNear = 5;            // of 3 x 3 pixels that jump, the scene has changed
 constexpr double kMaxHoleShare = 0.7;  // of 3 x 3 blocks: holes that are wider are no flicker
@@ -41,80 +29,7 @@ constexpr uchar kMinKnown = 2;         // frames that speak against one
 
 enum Kind : uchar { kNothing, kNew, kAgrees, kJumps, kMissing };
 
-float inverseOf(const Eigen::Vector3f& point) { return point.z() > 0 ? 1 / point.z() : 0; }  // NaN: 0
-
-/// The largest noise of inverse depth that is taken for noise.
-float mostSigma(const PinholeCamera& camera) {
-  return static_cast<float>(kMostDisparity_px / (camera.focal() * kLeastBaseline_m));
-}
-
-/// Standard deviation of one frame from the mean of so many others, in those of one frame.
-const std::array<float, kMostFrames + 1> kOfMean = [] {
-  std::array<float, kMostFrames + 1> table{};
-  for (int count = 1; count <= kMostFrames; ++count) table[count] = std::sqrt(1 + 1 / static_cast<float>(count));
-  return table;
-}();
-
-/// Deviations as sizes, counted.
-class DeviationCounts {
- public:
-  void add(float size) { ++bins_[std::min(kBins - 1, static_cast<int>(size / kBin))]; }
-  void add(const DeviationCounts& other) {
-    for (int i = 0; i < kBins; ++i) bins_[i] += other.bins_[i];
-  }
-  /// The size that `share` are not above; kBins * kBin or more counts as that.
-  float quantile(double share) const {
-    std::int64_t all = 0, below = 0;
-    for (const std::int64_t count : bins_) all += count;
-    for (int i = 0; i < kBins; ++i) {
-      below += bins_[i];
-      if (below > 0 && static_cast<double>(below) >= share * static_cast<double>(all))
-        return kBin * static_cast<float>(i + 1);
-    }
-    return 0;
-  }
-
- private:
-  std::array<std::int64_t, kBins> bins_{};
-};
-
 }  // namespace
-
-/// How far a frame is from what was known before it, by some of its pixels.
-struct DepthFusion::Difference {
-  float sigma = 0;              ///< of the deviations, reduced to those of one frame
-  bool moved_together = false;  ///< they have one sign over whole parts of the picture
-
-  Difference(const Frame& frame, const cv::Mat_<float>& known, const cv::Mat_<uchar>& count) {
-    const float limit = kJumpSigmas * mostSigma(frame.camera);
-    DeviationCounts counts;
-    double together = 0, deviating = 0;
-    int measured = 0;
-    for (int top = 0; top < known.rows; top += kPart_px) {
-      for (int left = 0; left < known.cols; left += kPart_px) {
-        double sum = 0, sizes = 0;
-        int pixels = 0;
-        for (int v = top; v < std::min(known.rows, top + kPart_px); v += kEvery_px) {
-          for (int u = left; u < std::min(known.cols, left + kPart_px); u += kEvery_px) {
-            const float now = inverseOf(frame.points[v * known.cols + u]), before = known(v, u);
-            if (now == 0 || before == 0) continue;
-            const float d = std::clamp(now - before, -limit, limit);
-            counts.add(std::abs(now - before) / kOfMean[count(v, u)]);
-            sum += d;
-            sizes += std::abs(d);
-            ++pixels;
-          }
-        }
-        measured += pixels;
-        if (pixels < kMinInPart || sizes < 0.5 * kLeastSigma * pixels) continue;
-        together += pixels * std::abs(sum) / sizes;
-        deviating += pixels;
-      }
-    }
-    sigma = counts.quantile(kOneSigma);
-    moved_together = together > kMovedTogether * deviating && deviating > kMinMoved * measured;
-  }
-};
 
 /// What every pixel is beside what was known of it, with sums over blocks.
 struct DepthFusion::Change {
@@ -139,8 +54,8 @@ struct DepthFusion::Change {
       is_bridged = cv::Mat_<uchar>(known.size(), static_cast<uchar>(0));
       for (const int i : frame.bridged) is_bridged(i) = 1;
     }
-    std::array<float, kMostFrames + 1> sigmas;
-    for (int c = 0; c <= kMostFrames; ++c) sigmas[c] = sigma * kOfMean[c];
+    std::array<float, kMostFused + 1> sigmas;
+    for (int c = 0; c <= kMostFused; ++c) sigmas[c] = sigma * sigmasOfMean(c);
     const int bands = static_cast<int>(blocks.size()) / across;
     parallelFor(bands, threads, [&](int band) {
       for (int v = band * kBlock_px; v < std::min(known.rows, (band + 1) * kBlock_px); ++v) {
@@ -154,7 +69,7 @@ struct DepthFusion::Change {
   }
 
   void compareRow(const Frame& frame, const float* known, const uchar* count,
-                  const std::array<float, kMostFrames + 1>& sigmas, int v, Block* row) {
+                  const std::array<float, kMostFused + 1>& sigmas, int v, Block* row) {
     const Eigen::Vector3f* points = &frame.points[static_cast<std::size_t>(v) * kind.cols];
     const uchar* bridged = is_bridged.empty() ? nullptr : is_bridged[v];
     uchar* kinds = kind[v];
@@ -202,7 +117,7 @@ struct DepthFusion::Change {
   }
 };
 
-DepthFusion::DepthFusion(int frames) : frames_(std::clamp(frames, 1, kMostFrames)) {}
+DepthFusion::DepthFusion(int frames) : frames_(std::clamp(frames, 1, kMostFused)) {}
 
 void DepthFusion::clear() {
   inverse_m_.release();
@@ -286,10 +201,10 @@ FusedDepth DepthFusion::fuseRow(const Change& change, int v, Frame& frame) {
 }
 
 /// False when the camera moved.
-bool DepthFusion::measureNoise(const Difference& difference) {
-  if (difference.moved_together || difference.sigma > mostSigma(camera_)) return false;
+bool DepthFusion::measureNoise(const DepthDifference& difference) {
+  if (difference.moved_together || difference.sigma > mostNoise(camera_)) return false;
   if (sigma_ > 0 && difference.sigma > kMovedSigmas * sigma_) return false;
-  const float measured = std::max(kLeastSigma, difference.sigma);
+  const float measured = std::max(kLeastNoise, difference.sigma);
   sigma_ = sigma_ > 0 ? std::min(measured, kGrowth * sigma_) : measured;
   return true;
 }
@@ -297,7 +212,7 @@ bool DepthFusion::measureNoise(const Difference& difference) {
 FusedDepth DepthFusion::fuse(const std::optional<Eigen::Isometry3d>& T_fixed_camera, int threads, Frame& frame) {
   FusedDepth fused;
   if (frames_ == 1) return fused;
-  if (isAnother(frame, T_fixed_camera) || !measureNoise(Difference(frame, inverse_m_, count_))) {
+  if (isAnother(frame, T_fixed_camera) || !measureNoise(compareDepth(frame, inverse_m_, count_))) {
     restart(frame, T_fixed_camera);
     fused.restarted = true;
     return fused;

@@ -11,9 +11,9 @@
 
 namespace objectness {
 
-/// The threads that help the one that made it, until it is destroyed: none is left behind. parallelFor() calls from that
-/// thread use them instead of starting threads of their own. A thread that waits looks out for a tenth of a millisecond
-/// before it sleeps: to be woken takes as long, and the next loop of a frame mostly begins earlier.
+/// The threads that help the one that made it, until it is destroyed: none is left behind. parallelFor() calls from
+/// that thread use them instead of starting threads of their own. A thread that waits looks out for a tenth of a
+/// millisecond before it sleeps: to be woken takes as long, and the next loop of a frame mostly begins earlier.
 class ThreadPool {
  public:
   /// threads: with the caller; 0: one per processor. Fewer when there are no more to be had.

@@ -53,8 +53,8 @@ struct CueVolumes {
   std::vector<SuperpixelVolume> superpixels;            ///< one per label that has a voxel in the grid, Sec. 3.3
 };
 
-/// Sums up one angle's voxels into `volumes`, whose memory is kept. ring_z: how far over the grid boxes may reach (b_eps
-/// of Eq. 2), voxels.
+/// Sums up one angle's voxels into `volumes`, whose memory is kept. ring_z: how far over the grid boxes may reach
+/// (b_eps of Eq. 2), voxels.
 void integrate(const CueVoxels& voxels, const Table& table, int ring_z, CueVolumes& volumes);
 
 }  // namespace objectness

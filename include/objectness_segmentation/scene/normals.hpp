@@ -55,7 +55,6 @@ struct Normals {
 /// Surface normals. On a plane 1/z is linear in the pixel coordinates: it is fitted by integral images in a square
 /// window of window_m, shrunk to the distance from the nearest depth jump or hole. Does not depend on the number of
 /// threads.
-Normals estimateNormals(const Frame& frame, const NormalsConfig& config, const DepthNoise& noise = {},
-                        int threads = 1);
+Normals estimateNormals(const Frame& frame, const NormalsConfig& config, const DepthNoise& noise = {}, int threads = 1);
 
 }  // namespace objectness

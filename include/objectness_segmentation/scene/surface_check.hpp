@@ -6,8 +6,8 @@
 
 namespace objectness {
 
-/// kBadInput where most pixels with depth lie beside one without, so that there are no surfaces to be segmented: sparse,
-/// torn or interleaved depth.
+/// kBadInput where most pixels with depth lie beside one without, so that there are no surfaces to be segmented:
+/// sparse, torn or interleaved depth.
 Status checkSurfaces(const Frame& frame);
 
 }  // namespace objectness

@@ -33,9 +33,10 @@ struct SearchConfig {
           "of the boxes of an angle that reach the threshold at most this many, the best, are kept");
     visit("top_k", self.top_k, Range{0, 10000000},
           "only this many boxes, the best of all angles, are looked for; 0: all that reach the threshold");
-    visit("top_k_start", self.top_k_start, Range{-10, 10},
-          "objectness that the top_k boxes are expected to reach, as in the frame before: quicker, and the same result, "
-          "as the search begins anew when they do not");
+    visit(
+        "top_k_start", self.top_k_start, Range{-10, 10},
+        "objectness that the top_k boxes are expected to reach, as in the frame before: quicker, and the same result, "
+        "as the search begins anew when they do not");
   }
 };
 

@@ -7,8 +7,8 @@
 
 namespace objectness {
 
-/// How sets of scene points are laid out: a bit for each point, in up to 64 groups of whole words. Points that lie close
-/// together have bits close together, so that a box meets few groups.
+/// How sets of scene points are laid out: a bit for each point, in up to 64 groups of whole words. Points that lie
+/// close together have bits close together, so that a box meets few groups.
 struct PointLayout {
   int points = 0;
   int group_words = 1;

@@ -10,6 +10,8 @@
 
 namespace objectness {
 
+struct DepthDifference;
+
 /// What became of the pixels of one frame.
 struct FusedDepth {
   bool restarted = false;    ///< first frame, other size, or the camera moved: the frame is as it came
@@ -53,11 +55,10 @@ class DepthFusion {
   std::size_t memoryBytes() const;
 
  private:
-  struct Difference;
   struct Change;
   bool isAnother(const Frame& frame, const std::optional<Eigen::Isometry3d>& T_fixed_camera) const;
   void restart(const Frame& frame, const std::optional<Eigen::Isometry3d>& T_fixed_camera);
-  bool measureNoise(const Difference& difference);
+  bool measureNoise(const DepthDifference& difference);
   bool hasChanged(const Change& change, int v, int u) const;
   FusedDepth fuseRow(const Change& change, int v, Frame& frame);
 

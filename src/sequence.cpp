@@ -10,8 +10,6 @@
 namespace objectness {
 namespace {
 
-constexpr double kJitter_s = 1;  // stamps that go back by less are no jump in time
-
 using Clock = std::chrono::steady_clock;
 
 double millisecondsSince(Clock::time_point start) {
@@ -56,7 +54,7 @@ std::size_t FrameSequence::memoryBytes() const { return memory_->fusion.memoryBy
 SequenceResult FrameSequence::next(Frame frame, const std::optional<Eigen::Isometry3d>& T_fixed_camera, double time_s,
                                    const Config& config, const LearnedObjectness* model,
                                    const std::atomic<bool>* cancel) {
-  if (time_s < memory_->last_time_s - kJitter_s) memory_->clear();
+  if (time_s < memory_->last_time_s - kTimeJump_s) memory_->clear();
   memory_->last_time_s = time_s;
 
   SequenceResult result;

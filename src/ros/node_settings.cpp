@@ -9,7 +9,6 @@ namespace objectness_segmentation {
 namespace {
 
 constexpr int kMaxQueueSize = 1000;
-constexpr int kMaxFuseFrames = 100;
 constexpr double kMaxTransformTimeout_s = 60;  // the wait ends with the nodelet, too
 constexpr double kMaxServiceTimeout_s = 3600;
 
@@ -72,7 +71,7 @@ ReadSettings readSettings(const ros::NodeHandle& nh) {
   reader.read("lazy", settings.lazy, "true or false");
   reader.read("latch", settings.latch, "true or false");
   reader.read("keep_memory", settings.keep_memory, "true or false");
-  reader.read("fuse_frames", settings.fuse_frames, "a whole number", 1, kMaxFuseFrames);
+  reader.read("fuse_frames", settings.fuse_frames, "a whole number", 1, objectness::kMostFused);
   reader.read("model", settings.model, "the path of a file");
   reader.frame("target_frame", settings.target_frame);
   reader.frame("up_frame", settings.up_frame);

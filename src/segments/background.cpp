@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "../common/share_below.hpp"
+
 namespace objectness {
 namespace {
 
@@ -47,9 +49,7 @@ float topOf(const Segment& segment, const ObjectPoints& above) {
   std::vector<float> heights;
   for (const int pixel : segment.pixels)
     heights.push_back(above.height_m(pixel / above.height_m.cols, pixel % above.height_m.cols));
-  const auto top = heights.begin() + static_cast<std::size_t>(kTop * (heights.size() - 1));
-  std::nth_element(heights.begin(), top, heights.end());
-  return *top;
+  return shareBelow(kTop, heights);
 }
 
 bool isBackground(const Segment& segment, const Frame& frame, const Table& table, const ObjectPoints& above) {

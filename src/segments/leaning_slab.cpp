@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../common/share_below.hpp"
+
 namespace objectness {
 namespace {
 

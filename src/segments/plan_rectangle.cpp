@@ -6,6 +6,7 @@
 #include <complex>
 #include <opencv2/imgproc.hpp>
 
+#include "../common/share_below.hpp"
 #include "objectness_segmentation/common/angles.hpp"
 
 namespace objectness {

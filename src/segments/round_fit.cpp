@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "../common/share_below.hpp"
 #include "objectness_segmentation/common/angles.hpp"
 
 namespace objectness {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../common/share_below.hpp"
+
 namespace objectness {
 namespace {
 
@@ -39,12 +41,6 @@ void findTop(SeenThing& thing) {
 }
 
 }  // namespace
-
-float shareBelow(double share, std::vector<float>& values) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
 
 SeenThing seeThing(const Frame& frame, const Normals& normals, const Table& table, const std::vector<int>& pixels,
                    double base_m) {

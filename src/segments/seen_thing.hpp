@@ -28,9 +28,6 @@ struct SeenThing {
   double height() const { return top_m - base_m; }
 };
 
-/// The value that a share of them, 0 to 1, are not above. values: not empty; reordered.
-float shareBelow(double share, std::vector<float>& values);
-
 /// pixels: of the object, of measured points. The blurred fringe where depth falls from the object to what is behind it
 /// is left out: surface that is seen at grazing angle and is not level. A level top is as high as its points in the
 /// median, any other as high as all but a few. Without points the thing is empty.

@@ -6,6 +6,7 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
+#include "../common/share_below.hpp"
 #include "../scene/mask_parts.hpp"
 
 namespace objectness {
@@ -30,13 +31,6 @@ constexpr double kMinHeightM = 0.005;
 constexpr float kRoundingM = 1e-6f;
 
 using Outline = std::vector<cv::Point2f>;
-
-/// The value that `share` of them are not above. values: not empty; reordered.
-float quantile(std::vector<float>& values, double share) {
-  const auto at = values.begin() + static_cast<std::size_t>(share * (values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
 
 /// A convex polygon that is asked for many places.
 class ConvexArea {
@@ -83,7 +77,7 @@ struct Thing {
   float lowest() const {
     std::vector<float> heights;
     for (const auto& p : points) heights.push_back(p.z());
-    return heights.empty() ? 0 : quantile(heights, kFew);
+    return heights.empty() ? 0 : shareBelow(kFew, heights);
   }
 };
 
@@ -197,11 +191,11 @@ float topUnder(const Thing& thing, const Footprint& foot, float lowest_m) {
     if (near) all.push_back(p.z());
   }
   if (all.size() + over < kMinPoints) level = std::move(level_anywhere);  // others hide what is near
-  const float sides = all.empty() ? 0 : quantile(all, 1 - kFew);
+  const float sides = all.empty() ? 0 : shareBelow(1 - kFew, all);
   if (level.size() >= kMinPoints) {
-    const float top = quantile(level, kTop), bottom = top - std::max(kLayerM, 2 * thing.tolerance_m);
+    const float top = shareBelow(kTop, level), bottom = top - std::max(kLayerM, 2 * thing.tolerance_m);
     level.erase(std::remove_if(level.begin(), level.end(), [&](float z) { return z < bottom; }), level.end());
-    if (top > sides - kMaxOverhangM) return quantile(level, 0.5);
+    if (top > sides - kMaxOverhangM) return shareBelow(0.5, level);
   }
   // Its top is hidden: then its sides end under what is on it.
   if (all.size() < kMinPoints || over > kMaxOver * (all.size() + over)) return 0;

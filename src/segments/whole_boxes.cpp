@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../common/share_below.hpp"
 #include "box_axes.hpp"
 #include "leaning_slab.hpp"
 #include "objectness_segmentation/common/angles.hpp"

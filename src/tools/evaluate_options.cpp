@@ -9,6 +9,7 @@
 #include "command_line.hpp"
 #include "config_options.hpp"
 #include "objectness_segmentation/evaluation/methods.hpp"
+#include "objectness_segmentation/tracking/depth_fusion.hpp"
 
 namespace objectness::evaluation {
 namespace {
@@ -43,7 +44,7 @@ constexpr const char* kExamples =
     "Exit status: 0 all evaluated, 1 some scene could not be used, some method failed in a scene (it then counts as\n"
     "having found nothing there), or the report could not be written; 2 wrong command line.\n";
 
-constexpr int kMostJobs = 1024, kMostThreads = 64, kMostShards = 1000000, kMostFused = 100;
+constexpr int kMostJobs = 1024, kMostThreads = 64, kMostShards = 1000000;
 
 Result<EvaluateOptions> bad(const std::string& message) {
   return Result<EvaluateOptions>::error(StatusCode::kBadConfig, message);

@@ -14,8 +14,6 @@ namespace {
 namespace po = boost::program_options;
 using Options = objectness::Result<SegmentBagOptions>;
 
-constexpr int kMaxFuseFrames = 100;
-
 constexpr const char* kIntroduction =
     "Segments every cloud or depth image of a recorded bag: what the node /segment_objects would publish if it had\n"
     "all the time it needs.\n"
@@ -75,7 +73,7 @@ Options interpret(const po::variables_map& values) {
   const auto model = objectness::readModelOption(values, value.settings.model);
   if (!model.ok()) return bad(model.message);
   if (values.count("fuse-frames")) value.settings.fuse_frames = values["fuse-frames"].as<int>();
-  if (value.settings.fuse_frames < 1 || value.settings.fuse_frames > kMaxFuseFrames) {
+  if (value.settings.fuse_frames < 1 || value.settings.fuse_frames > objectness::kMostFused) {
     return bad("--fuse-frames must be 1 to 100");
   }
   value.settings.approximate_sync = values["approximate-sync"].as<bool>();

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "objectness_segmentation/scene/frame.hpp"
+#include "objectness_segmentation/tracking/depth_fusion.hpp"
 
 namespace objectness {
-
-constexpr int kMostFused = 100;  // frames in a mean
 
 // Of inverse depth, 1 / metres: steps of the sensor are not below this.
 constexpr float kLeastNoise = 0.0015f;

@@ -142,7 +142,6 @@ bool DepthFusion::isAnother(const Frame& frame, const std::optional<Eigen::Isome
 }
 
 void DepthFusion::restart(const Frame& frame, const std::optional<Eigen::Isometry3d>& T_fixed_camera) {
-  if (isAnother(frame, T_fixed_camera)) sigma_ = 0;
   camera_ = frame.camera;
   T_fixed_camera_ = T_fixed_camera;
   inverse_m_.create(frame.height(), frame.width());
@@ -212,7 +211,9 @@ bool DepthFusion::measureNoise(const DepthDifference& difference) {
 FusedDepth DepthFusion::fuse(const std::optional<Eigen::Isometry3d>& T_fixed_camera, int threads, Frame& frame) {
   FusedDepth fused;
   if (frames_ == 1) return fused;
-  if (isAnother(frame, T_fixed_camera) || !measureNoise(compareDepth(frame, inverse_m_, count_))) {
+  const bool is_another = isAnother(frame, T_fixed_camera);
+  if (is_another) sigma_ = 0;
+  if (is_another || !measureNoise(compareDepth(frame, inverse_m_, count_))) {
     restart(frame, T_fixed_camera);
     fused.restarted = true;
     return fused;

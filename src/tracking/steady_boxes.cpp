@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "segments/box_axes.hpp"
+#include "../common/share_below.hpp"
+#include "../segments/box_axes.hpp"
 
 namespace objectness {
 namespace {
@@ -18,15 +19,13 @@ Eigen::Vector3d centreOf(const Frame& frame, const std::vector<int>& pixels) {
   return sum / static_cast<double>(std::max<std::size_t>(1, pixels.size()));
 }
 
-/// Of each coordinate; of an even number the lower one of the two in the middle. vectors: not empty.
+/// Of each coordinate. vectors: not empty.
 Eigen::Vector3d medianOf(const std::vector<Eigen::Vector3d>& vectors) {
   Eigen::Vector3d median;
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<double> values;
     for (const Eigen::Vector3d& v : vectors) values.push_back(v[axis]);
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    median[axis] = *middle;
+    median[axis] = shareBelow(0.5, values);
   }
   return median;
 }

@@ -12,7 +12,6 @@ namespace {
 constexpr int kSurfaceMemoryFrames = 10;  // surface not seen for longer may have moved
 constexpr double kFirstConfidence = 0.3;
 constexpr double kConfidenceKept = 0.7;  // of the confidence before, a frame
-constexpr double kJitter_s = 1.0;        // stamps that go back by less are no jump in time
 
 }  // namespace
 
@@ -49,7 +48,7 @@ int Tracker::freeLabel() const {
 std::vector<Identity> Tracker::update(const Frame& frame, const std::vector<Segment>& segments,
                                       const Eigen::Isometry3d& T_fixed_camera, double time_s,
                                       const TrackingConfig& config) {
-  if (time_s < last_time_s_ - kJitter_s) clear();
+  if (time_s < last_time_s_ - kTimeJump_s) clear();
   last_time_s_ = time_s;
   ++frames_;
 

@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-#include "fixtures/ray_cast.hpp"
+#include "fixtures/boxes_on_a_table.hpp"
 #include "objectness_segmentation/pipeline.hpp"
 #include "objectness_segmentation/sequence.hpp"
 #include "objectness_segmentation/sim/scene_generator.hpp"
@@ -125,25 +125,14 @@ TEST_F(Sequence, IsTheSameForAnyNumberOfThreads) {
 
 namespace {
 
-struct Thing {
-  Eigen::Vector3d at;  ///< middle of its foot, world
-  Eigen::Vector3d size;
-};
+using objectness_test::Thing;
 
 /// Boxes on a table that are moved while the camera stands still.
 class ChangingScene : public testing::Test {
  protected:
   /// How well each thing is segmented: the best Dice of any segment.
   std::vector<double> look(const std::vector<Thing>& things) {
-    objectness_test::Scene scene;
-    scene.camera = {262.5, 262.5, 159.5, 119.5, 320, 240};
-    scene.T_world_camera = objectness_test::lookAt({0, -0.65, 0.65}, {0, 0, 0.03});
-    scene.surfaces.push_back(objectness_test::slab(-0.5, -0.4, 0.5, 0.5, 0));
-    for (const Thing& thing : things) {
-      const Eigen::Vector3d half(0.5 * thing.size.x(), 0.5 * thing.size.y(), 0);
-      scene.surfaces.push_back(
-          objectness_test::box(thing.at - half, thing.at + half + Eigen::Vector3d(0, 0, thing.size.z())));
-    }
+    objectness_test::Scene scene = objectness_test::boxesOnATable(things, T_world_camera_);
     Frame frame = scene.render();
     std::mt19937 random(++frames_);
     std::normal_distribution<float> noise(0, 0.001f);
@@ -171,6 +160,7 @@ class ChangingScene : public testing::Test {
     EXPECT_EQ(result_.segmentation.segments.size(), things.size()) << what;
   }
 
+  const Eigen::Isometry3d T_world_camera_ = objectness_test::lookAt({0, -0.65, 0.65}, {0, 0, 0.03});
   const Thing left_{{-0.2, 0, 0}, {0.1, 0.1, 0.14}}, right_{{0.18, 0.05, 0}, {0.08, 0.1, 0.1}};
   FrameSequence sequence_;
   SequenceResult result_;
@@ -192,8 +182,8 @@ TEST_F(ChangingScene, WhatSlidesIsWhereItIs) {
     sliding.at.x() -= 0.012 * k;
     expectAll({left_, sliding}, 0.88, "frame " + std::to_string(k));
     const OrientedBox* nearest = nullptr;
-    const Eigen::Vector3d centre = objectness_test::lookAt({0, -0.65, 0.65}, {0, 0, 0.03}).inverse() *
-                                   (sliding.at + Eigen::Vector3d(0, 0, 0.5 * sliding.size.z()));
+    const Eigen::Vector3d centre =
+        T_world_camera_.inverse() * (sliding.at + Eigen::Vector3d(0, 0, 0.5 * sliding.size.z()));
     double best = 1;
     for (const Segment& segment : result_.segmentation.segments) {
       const double distance = (segment.box.T_camera_box.translation() - centre).norm();

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "fixtures/ray_cast.hpp"
+#include "fixtures/seen_surfaces.hpp"
 #include "objectness_segmentation/pipeline.hpp"
 #include "objectness_segmentation/segments/supports.hpp"
 #include "objectness_segmentation/sim/scene_generator.hpp"
@@ -71,40 +71,12 @@ Errors errorsOf(const std::string& level, const sim::DepthSensor& sensor, int sc
   return errors;
 }
 
-/// Segments of the surfaces from index `first` on, with upright boxes around their points.
-struct Sight {
-  Scene scene;
-  Frame frame;
-  Normals normals;
-  Table table;
-  ObjectPoints above;
-  std::vector<Segment> segments;
+/// Surfaces with what they stand on; their boxes rest there.
+struct Sight : SeenSurfaces {
   std::vector<Support> supports;
 
-  Sight(Scene given, int first, std::size_t without = 99) : scene(std::move(given)), frame(scene.render()) {
-    normals = estimateNormals(frame, {});
-    TableConfig config;
-    config.given = true;
-    const Vector3d up = scene.T_world_camera.linear().row(2);
-    config.given_a = up.x(), config.given_b = up.y(), config.given_c = up.z();
-    config.given_d = scene.T_world_camera.translation().z();
-    table = findTable(frame, normals, config).value;
-    above.mask = cv::Mat_<uchar>(frame.height(), frame.width(), uchar(0));
-    for (std::size_t k = first; k < scene.surfaces.size(); ++k) {
-      Segment segment;
-      Eigen::AlignedBox3d box;
-      for (int i = 0; i < frame.size(); ++i) {
-        if (scene.seen[i] != static_cast<int>(k)) continue;
-        const Vector3d p = table.T_table_camera * frame.points[i].cast<double>();
-        if (p.z() < 0.008) continue;  // taken for the table
-        above.mask(i) = 255;
-        segment.pixels.push_back(i);
-        box.extend(p);
-      }
-      segment.box.size_m = box.sizes();
-      segment.box.T_camera_box = table.T_table_camera.inverse() * Eigen::Translation3d(box.center());
-      if (k != without) segments.push_back(segment);
-    }
+  explicit Sight(Scene given, std::size_t first, std::size_t without = 0)
+      : SeenSurfaces(std::move(given), first, without) {
     rest();
   }
 
@@ -116,13 +88,6 @@ struct Sight {
   /// Lowest and highest corner of the box around the k-th segment.
   std::pair<double, double> heights(std::size_t k) const { return heightsOf(segments[k].box, scene.T_world_camera); }
 };
-
-Scene onATable(std::vector<Surface> things) {
-  Scene scene;
-  scene.surfaces = {slab(-0.6, -0.5, 0.6, 0.5, 0)};
-  scene.surfaces.insert(scene.surfaces.end(), things.begin(), things.end());
-  return scene;
-}
 
 }  // namespace
 

@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "fixtures/ray_cast.hpp"
+#include "fixtures/boxes_on_a_table.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "objectness_segmentation/io/scene_folder.hpp"
 #include "objectness_segmentation/pipeline.hpp"
@@ -13,27 +13,14 @@ namespace {
 
 using namespace objectness;
 using objectness_test::lookAt;
-
-struct Thing {
-  Eigen::Vector3d at;  ///< middle of its foot, world
-  Eigen::Vector3d size;
-};
+using objectness_test::Thing;
 
 /// A camera in a world of boxes. The segments are what a perfect segmentation would give: the pixels and the true box.
 class Tracking : public testing::Test {
  protected:
   std::vector<Identity> look(const std::vector<Thing>& things, double time_s) {
-    objectness_test::Scene scene;
-    scene.camera = {262.5, 262.5, 159.5, 119.5, 320, 240};
-    scene.T_world_camera = T_world_camera_;
-    scene.surfaces = hiding_;
-    scene.surfaces.push_back(objectness_test::slab(-1, -1, 1, 1, 0));
-    const int first = static_cast<int>(scene.surfaces.size());
-    for (const Thing& thing : things) {
-      const Eigen::Vector3d half(0.5 * thing.size.x(), 0.5 * thing.size.y(), 0);
-      scene.surfaces.push_back(
-          objectness_test::box(thing.at - half, thing.at + half + Eigen::Vector3d(0, 0, thing.size.z())));
-    }
+    objectness_test::Scene scene = objectness_test::boxesOnATable(things, T_world_camera_, hiding_);
+    const int first = static_cast<int>(hiding_.size()) + 1;
     const Frame frame = scene.render();
     std::vector<Segment> segments;
     seen_.clear();

@@ -10,6 +10,9 @@
 
 namespace objectness {
 
+/// Frames that can be fused.
+constexpr int kMostFused = 100;
+
 struct DepthDifference;
 
 /// What became of the pixels of one frame.
@@ -38,7 +41,7 @@ struct FusedDepth {
 /// Does not depend on the number of threads. Not thread safe.
 class DepthFusion {
  public:
-  /// frames: how many are averaged, up to 100; 1: none.
+  /// frames: how many are averaged, up to kMostFused; 1: none.
   explicit DepthFusion(int frames);
 
   /// Replaces depths of the frame. Points stay on the rays of their pixels; a hole that is filled is no bridged pixel

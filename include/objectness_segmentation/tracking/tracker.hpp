@@ -39,6 +39,9 @@ struct TrackingConfig {
   }
 };
 
+/// Stamps that go back by less are no jump in time.
+constexpr double kTimeJump_s = 1;
+
 /// Which object a segment is. Without tracking only `label` is set.
 struct Identity {
   int label = 0;          ///< kFirstObjectLabel or above; keeps to the object, used again after it was forgotten

@@ -25,6 +25,7 @@ void spreadOverPixels(const Frame& frame, const Frame& coarse, int factor, Segme
   result.normals = {};
   spread(blocks, size, uchar(0), result.object_points.mask);
   spread(blocks, size, uchar(0), result.object_points.on_table);
+  spread(blocks, size, uchar(0), result.object_points.container);
   spread(blocks, size, uchar(0), result.edges.kinds);
   spread(blocks, size, 0, result.superpixels.label);
   if (!result.object_points.height_m.empty()) {

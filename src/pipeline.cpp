@@ -8,6 +8,7 @@
 #include "finished_segments.hpp"
 #include "front_end.hpp"
 #include "grouping/object_judge.hpp"
+#include "grouping/standing_groups.hpp"
 #include "guarded_segmentation.hpp"
 #include "needed_resolution.hpp"
 #include "objectness_segmentation/common/thread_pool.hpp"
@@ -160,9 +161,12 @@ void groupPieces(const Frame& frame, const Config& config, const LearnedObjectne
   stage.count("hypotheses", groups.size());
   result.proposals = rankedBoxes(groups);
 
-  const std::vector<int> chosen = config.grouping.paper_cost
-                                      ? annealGroups(frame, result.table, graph.pieces, groups, config, stage)
-                                      : packGroups(graph, links, groups, config, stage);
+  std::vector<int> chosen = config.grouping.paper_cost
+                                ? annealGroups(frame, result.table, graph.pieces, groups, config, stage)
+                                : packGroups(graph, links, groups, config, stage);
+  const std::vector<int> standing = standingGroups(frame, result.table, result.object_points, graph.pieces, links,
+                                                   groups, chosen, config.grouping, config.runtime.seed);
+  chosen.insert(chosen.end(), standing.begin(), standing.end());
   result.segments = stage("segments", [&] { return cutGroups(graph.pieces, groups, chosen, config.segments); });
 }
 

@@ -31,6 +31,7 @@ ObjectPoints cut(const Frame& frame, const Plane& plane, const std::vector<int>&
   points.height_m = cv::Mat_<float>(size, std::numeric_limits<float>::quiet_NaN());
   points.mask = cv::Mat_<uchar>::zeros(size);
   points.on_table = cv::Mat_<uchar>::zeros(size);
+  points.container = cv::Mat_<uchar>::zeros(size);
   for (int i = 0; i < frame.size(); ++i) {
     if (frame.points[i].allFinite()) points.height_m(i) = static_cast<float>(plane.height(frame.points[i]));
   }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "containers.hpp"
 #include "height_map.hpp"
 #include "low_things.hpp"
 #include "objectness_segmentation/common/parallel.hpp"
@@ -34,9 +35,12 @@ void markTableSurface(const Normals& normals, const Eigen::Vector3f& up, const H
 
 ObjectPoints findObjectPoints(const Frame& frame, const Normals& normals, const Table& table,
                               const ObjectPointsConfig& config, int threads) {
-  const HeightMap map = makeHeightMap(frame, table, config, threads);
+  HeightMap map = makeHeightMap(frame, table, config, threads);
   cv::Mat_<uchar> mask = aboveTable(map);
   if (config.low_things) mask |= lowThings(map, config, mask, threads);
+  const ContainerMasks containers = takeContainers(
+      frame, normals, table,
+      config.containers ? findContainers(frame, normals, table, map, mask) : std::vector<Container>{}, map, mask);
   removeWalls(frame, normals, table, map, config, mask, threads);
   const Things things = findThings(frame, table, map, config, mask, threads);
   mask = things.label > 0;
@@ -50,8 +54,9 @@ ObjectPoints findObjectPoints(const Frame& frame, const Normals& normals, const 
       addHollowFloors(frame, table, map, things, with_floors);
     }
   });
+  surface |= containers.floor;
   surface.setTo(0, with_floors);
-  return {map.height_m, with_floors, surface};
+  return {map.height_m, with_floors, surface, containers.all};
 }
 
 }  // namespace objectness

@@ -115,6 +115,7 @@ std::vector<Thing> describeAll(const Frame& frame, const Normals& normals, const
                                const ObjectPoints& above, const std::vector<Segment>& segments) {
   std::vector<Thing> things;
   cv::Mat_<uchar> left = above.mask.clone();
+  if (!above.container.empty()) left |= above.container;
   for (const Segment& segment : segments) {
     things.push_back(describe(frame, normals, table, segment.pixels));
     for (const int pixel : segment.pixels) left(pixel) = 0;

@@ -20,6 +20,7 @@ struct GroupingConfig {
   bool paper_cost = false;
   double weight_objectness = 30.0;
   double least_objectness = 0.4;
+  bool standing = true;
   double weight_gaps = 0.5;
   double memory_objectness = 0.15;
   double memory_log_odds = 1.0;
@@ -45,6 +46,9 @@ struct GroupingConfig {
     visit("weight_objectness", self.weight_objectness, Range{0, 1000},
           "of the objectness of a group, per piece, beside the log odds of its links");
     visit("least_objectness", self.least_objectness, Range{0, 1}, "a group under it is rather left out");
+    visit("standing", self.standing,
+          "what stands alone on the table, compact and well over the noise, is an object even if all of its groups are "
+          "under least_objectness");
     visit("weight_gaps", self.weight_gaps, Range{0, 10}, "of links over a gap; links in contact count 1");
     visit("memory_objectness", self.memory_objectness, Range{0, 1},
           "frames that follow one another: what a group that was one object in the frame before has ahead, and one "

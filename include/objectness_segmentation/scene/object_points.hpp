@@ -9,7 +9,10 @@ namespace objectness {
 struct ObjectPoints {
   cv::Mat_<float> height_m;  ///< H x W signed height over the table plane, NaN = invalid point
   cv::Mat_<uchar> mask;      ///< H x W, 255 = a point that stands on the table, 0 = anything else
-  cv::Mat_<uchar> on_table;  ///< H x W, 255 = a point of the table's own surface, inside its extent
+  /// H x W, 255 = a point of a surface that carries objects: the table's own, inside its extent, or the floor of a tray,
+  /// tote or bin.
+  cv::Mat_<uchar> on_table;
+  cv::Mat_<uchar> container;  ///< H x W, 255 = a point of a tray, tote or bin with things in it: its floor or its walls
 };
 
 struct ObjectPointsConfig {
@@ -20,6 +23,7 @@ struct ObjectPointsConfig {
   double min_area_m2 = 3e-4;
   double min_inside_share = 0.35;
   bool hollow_floors = true;
+  bool containers = true;
   bool low_things = true;
   double low_sigmas = 4.0;
   double low_min_height_m = 0.006;
@@ -39,6 +43,8 @@ struct ObjectPointsConfig {
           "least share of a thing's points over the table's extent");
     visit("hollow_floors", self.hollow_floors,
           "points at table height enclosed by one hollow thing (a bowl) belong to it");
+    visit("containers", self.containers,
+          "trays, totes and bins that things are in carry these as the table does, and are no objects themselves");
     visit("low_things", self.low_things,
           "points within the noise over the table count where a whole patch of them agrees");
     visit("low_sigmas", self.low_sigmas, Range{1, 20},

@@ -45,7 +45,7 @@ cv::Mat_<cv::Vec3b> bgrOf(const py::array& rgb) {
 
 py::array_t<std::uint16_t> labelArray(const cv::Mat_<ushort>& labels) {
   py::array_t<std::uint16_t> array({labels.rows, labels.cols});
-  std::copy(labels.begin(), labels.end(), array.mutable_data());
+  if (!labels.empty()) std::copy(labels.begin(), labels.end(), array.mutable_data());  // OpenCV divides by columns
   return array;
 }
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What users call: segment(), Segmenter and their error."""
 import json
+import math
 
 import numpy
 
@@ -130,7 +131,10 @@ class Segmenter:
         """
         images = _arrays.depth_image(depth), _arrays.intrinsics(camera_matrix), _arrays.color_image(color)
         pose = _arrays.pose(T_fixed_camera, 'T_fixed_camera')
-        *found, identities = self._sequence.next(*images, self._config, float(time_s), pose)
+        time_s = float(time_s)
+        if not math.isfinite(time_s):
+            raise ValueError(f'time_s is {time_s}, must be finite')
+        *found, identities = self._sequence.next(*images, self._config, time_s, pose)
         result = _result(*found)
         for item, identity in zip(result['objects'], identities):
             item['identity'] = identity

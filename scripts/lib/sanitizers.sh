@@ -23,7 +23,8 @@ use_sanitizers() {
   use_build_folder "sanitize-${kinds//,/-}"
   # target_clones are resolved before a sanitizer is ready. Assertions stay in: no -DNDEBUG. With AddressSanitizer Eigen
   # would align what it allocates itself, as PCL's libraries, which free it, do not.
-  cmake_options=(-DCMAKE_BUILD_TYPE=Sanitize
+  # Python is not instrumented and would be needed to load the module.
+  cmake_options=(-DCMAKE_BUILD_TYPE=Sanitize -DWITH_PYTHON=OFF
     "-DCMAKE_CXX_FLAGS_SANITIZE=-O1 -g1 -fno-omit-frame-pointer$flags -DOBJECTNESS_PORTABLE -DEIGEN_MALLOC_ALREADY_ALIGNED=1"
     "-DCMAKE_EXE_LINKER_FLAGS_SANITIZE=$flags" "-DCMAKE_SHARED_LINKER_FLAGS_SANITIZE=$flags")
 

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of the Python module share: the demo scene, the tool `segment`, and a skip where there is no module."""
-import importlib.util
+"""What the tests of the Python module share: the demo scene, the tool `segment`, and when results are the same."""
 import json
 import os
 import pathlib
@@ -8,14 +7,12 @@ import subprocess
 import tempfile
 import unittest
 
+import numpy
+import PIL.Image
+import yaml
+
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 TOOL_DIR = pathlib.Path(os.environ['OBJECTNESS_TOOL_DIR'])
-IS_BUILT = importlib.util.find_spec('objectness_segmentation._core') is not None
-
-if IS_BUILT:
-    import numpy
-    import PIL.Image
-    import yaml
 
 
 def read_png(path):
@@ -36,7 +33,6 @@ def without_times(result):
     return json.dumps(plain(result), sort_keys=True)
 
 
-@unittest.skipUnless(IS_BUILT, 'the Python module was not built: no pybind11 was found, or WITH_PYTHON is off')
 class ModuleTest(unittest.TestCase):
     """Has the demo scene at 320 x 240 as `depth` (uint16), `color` (RGB) and `camera_matrix`, and in the folder `scene`."""
 

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 import pickle
 
-from module_test import IS_BUILT, ModuleTest
+import numpy
+import PIL.Image
+import yaml
 
-if IS_BUILT:
-    import numpy
-    import PIL.Image
-    import yaml
-    from objectness_segmentation import SegmentationError, Segmenter, segment
+from module_test import ModuleTest
+from objectness_segmentation import SegmentationError, Segmenter, segment
 
 
 class Parameters(ModuleTest):

@@ -6,12 +6,11 @@ import sys
 import textwrap
 import unittest
 
-from module_test import IS_BUILT, REPOSITORY, ModuleTest
+from module_test import REPOSITORY, ModuleTest
+import objectness_segmentation
 
-if IS_BUILT:
-    import objectness_segmentation
 
-HAS_MESSAGES = IS_BUILT and importlib.util.find_spec('objectness_segmentation.msg') is not None
+HAS_MESSAGES = importlib.util.find_spec('objectness_segmentation.msg') is not None
 
 
 class Package(ModuleTest):

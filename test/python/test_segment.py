@@ -2,12 +2,11 @@
 import threading
 import time
 
-from module_test import IS_BUILT, REPOSITORY, ModuleTest, without_times
+import numpy
+import yaml
 
-if IS_BUILT:
-    import numpy
-    import yaml
-    from objectness_segmentation import segment
+from module_test import REPOSITORY, ModuleTest, without_times
+from objectness_segmentation import segment
 
 
 class Segment(ModuleTest):

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 import threading
 
-from module_test import IS_BUILT, ModuleTest, without_times
+import numpy
 
-if IS_BUILT:
-    import numpy
-    from objectness_segmentation import SegmentationError, Segmenter, segment
+from module_test import ModuleTest, without_times
+from objectness_segmentation import SegmentationError, Segmenter, segment
 
 
 class SegmenterTest(ModuleTest):

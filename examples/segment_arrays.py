@@ -47,7 +47,7 @@ for item in found['objects']:
     height = table['normal'] @ item['position'] + table['d']
     print(f"  {item['label']}: its centre is {1000 * height:.0f} mm over the table")
 
-# %% Parameters have the names of `segment --list-parameters`. This is the paper's method, with the threads of two cores.
+# %% Parameters have the names of `segment --list-parameters`. This is the paper's method, on two threads.
 paper = segment(depth, camera_matrix, grouping={'enabled': False}, runtime={'threads': 2})
 print(f"the paper's method: {len(paper['objects'])} objects of {paper['report']['boxes_scored']} boxes")
 

@@ -34,7 +34,7 @@ def without_times(result):
 
 
 class ModuleTest(unittest.TestCase):
-    """Has the demo scene at 320 x 240 as `depth` (uint16), `color` (RGB) and `camera_matrix`, and in the folder `scene`."""
+    """Has the demo scene at 320 x 240: `depth` (uint16), `color` (RGB), `camera_matrix`, and its folder, `scene`."""
 
     @classmethod
     def setUpClass(cls):

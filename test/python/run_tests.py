@@ -3,8 +3,8 @@
 """Runs the tests beside it: run_tests.py RESULTS.xml MODULE_DIR TOOL_DIR [PATTERN].
 
 MODULE_DIR is the folder that holds the package objectness_segmentation, TOOL_DIR that of the tools. The cases go to
-RESULTS.xml as those of GoogleTest do. Exit status 1 for a failure or for no tests at all. Without MODULE_DIR nothing was
-built that could be tested: that is one case, skipped.
+RESULTS.xml as those of GoogleTest do. Exit status 1 for a failure or for no tests at all. Without MODULE_DIR nothing
+was built that could be tested: that is one case, skipped.
 """
 import os
 import pathlib

@@ -45,7 +45,8 @@ class Parameters(ModuleTest):
     def test_full_names_say_the_same(self):
         for parameters in self.WRONG:
             with self.subTest(parameters):
-                flat = {f'{group}.{name}': value for group, fields in parameters.items() for name, value in fields.items()}
+                flat = {f'{group}.{name}': value for group, fields in parameters.items()
+                        for name, value in fields.items()}
                 by_group = self.error_of(segment, self.depth, self.camera_matrix, **parameters)
                 by_name = self.error_of(segment, self.depth, self.camera_matrix, **flat)
                 self.assertEqual(str(by_name), str(by_group))
@@ -84,7 +85,7 @@ class Frames(ModuleTest):
             with self.subTest(name):
                 scene = self.folder / name
                 scene.mkdir()
-                PIL.Image.fromarray(depth.astype(numpy.int32)).convert('I;16').save(scene / 'depth.png')
+                PIL.Image.fromarray(depth.astype(numpy.uint16)).save(scene / 'depth.png')
                 (scene / 'camera.yaml').write_text((self.scene / 'camera.yaml').read_text())
                 settings = [f'{group}.{field}={str(value).lower()}' for group, fields in parameters.items()
                             for field, value in fields.items()]

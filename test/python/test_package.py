@@ -16,7 +16,8 @@ HAS_MESSAGES = importlib.util.find_spec('objectness_segmentation.msg') is not No
 class Package(ModuleTest):
 
     def run_python(self, *arguments):
-        done = subprocess.run([sys.executable, *arguments], capture_output=True, text=True, check=False, cwd=self.folder)
+        done = subprocess.run([sys.executable, *arguments], capture_output=True, text=True, check=False,
+                              cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         return done.stdout
 

@@ -15,7 +15,11 @@ def _text(value):
         return str(int(value))
     if isinstance(value, numbers.Real):
         value = float(value)
-        return repr(value) if math.isfinite(value) else '.nan' if math.isnan(value) else '.inf' if value > 0 else '-.inf'
+        if math.isnan(value):
+            return '.nan'
+        if math.isinf(value):
+            return '.inf' if value > 0 else '-.inf'
+        return repr(value)
     return str(value)
 
 

@@ -19,7 +19,9 @@ _ARRAYS = {
 
 
 class SegmentationError(ValueError):
-    """A parameter, a camera or a frame that nothing can be segmented with. str() is a sentence that says what would help.
+    """A parameter, a camera or a frame that nothing can be segmented with.
+
+    str() is a sentence that says what would help.
 
     status: its kind, as in objects.json and the messages: 'bad_config', 'bad_camera', 'bad_input', 'size_mismatch',
         'no_valid_points', 'no_table', 'volume_too_large', 'internal_error'.
@@ -62,8 +64,8 @@ def _result(status, labels, text):
 def segment(depth, camera_matrix, color=None, **parameters):
     """Finds and segments the objects on a table.
 
-    Everything is in the camera's optical frame (x right, y down, z forward), in metres; quaternions are x, y, z, w. Other
-    Python threads run while it computes. The same input gives the same result whatever runtime.threads is.
+    Everything is in the camera's optical frame (x right, y down, z forward), in metres; quaternions are x, y, z, w.
+    Other Python threads run while it computes. The same input gives the same result whatever runtime.threads is.
 
     depth: H x W, rectified. Of float: metres, where NaN, infinite, 0 and less are pixels without depth. Of uint16:
         millimetres (or input.depth_unit_m), 0 without depth.
@@ -87,9 +89,9 @@ def segment(depth, camera_matrix, color=None, **parameters):
         supported_by        int, label of what it stands on: 1 the table, 0 something that is no object
         base_height         float, of the surface it stands on, over the table
         supports            list of int, labels of what stands on it
-      table    dict: normal (3,) towards the camera and d of the plane normal . p + d = 0; frame {position (3,), orientation
-               (4,)}; hull (N, 2), its outline in that frame; hull_measured (N,) of bool, whether the side from a corner to
-               the next is the edge as it was seen
+      table    dict: normal (3,) towards the camera and d of the plane normal . p + d = 0; frame {position (3,),
+               orientation (4,)}; hull (N, 2), its outline in that frame; hull_measured (N,) of bool, whether the side
+               from a corner to the next is the edge as it was seen
       remarks  list of str: what is unusual about the input, or makes the result doubtful
       report   dict: counts and values of the stages, and timings_ms, a dict of milliseconds
 
@@ -121,11 +123,11 @@ class Segmenter:
         """segment() of the frame that follows.
 
         time_s: the frame's stamp, seconds. One a second or more before the last forgets everything first.
-        T_fixed_camera: 4 x 4, maps points of the camera to a frame in which the table stands still. None: not known, and
-            whether the camera stands still is told by the picture.
+        T_fixed_camera: 4 x 4, maps points of the camera to a frame in which the table stands still. None: not known,
+            and whether the camera stands still is told by the picture.
 
-        Returns what segment() returns; `labels` and objects[i]['label'] are those of this frame, by rank. Each object has
-        also, unless tracking.enabled is off,
+        Returns what segment() returns; `labels` and objects[i]['label'] are those of this frame, by rank. Each object
+        has also, unless tracking.enabled is off,
           identity  dict: label (int, 2 and above, keeps to the object while it stays), id (int, never used again),
                     age_frames (int), age_s (float), confidence (float, 0 to 1: how well it agreed with itself lately)
         """

@@ -137,7 +137,8 @@ class Segment(ModuleTest):
             ticker.join()
         within = [start, *(stamp for stamp in stamps if start < stamp < end), end]
         longest_silence_ms = 1000 * max(after - before for before, after in zip(within, within[1:]))
-        self.assertLess(longest_silence_ms, 0.5 * found['report']['timings_ms']['total'])
+        # Otherwise there is not one tick in all that time.
+        self.assertLess(longest_silence_ms, found['report']['timings_ms']['total'])
 
     def test_threads_may_segment_at_the_same_time(self):
         expected = without_times(segment(self.depth, self.camera_matrix))

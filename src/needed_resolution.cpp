@@ -1,39 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "needed_resolution.hpp"
 
+#include "objectness_segmentation/common/row_bands.hpp"
+
 namespace objectness {
 namespace {
 
 /// An image of the frame's size; `none` where a pixel has no block.
 template <class T>
-void spread(const std::vector<int>& blocks, const cv::Size& size, T none, cv::Mat_<T>& image) {
+void spread(const std::vector<int>& blocks, const cv::Size& size, T none, int threads, cv::Mat_<T>& image) {
   if (image.empty()) return;
-  cv::Mat_<T> fine(size, none);
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    if (blocks[i] >= 0)
-      fine(static_cast<int>(i) / size.width, static_cast<int>(i) % size.width) =
-          image(blocks[i] / image.cols, blocks[i] % image.cols);
-  }
+  cv::Mat_<T> fine(size);
+  const T* coarse = image.template ptr<T>();  // continuous: the stages make it
+  forRowBands(size.height, threads, [&](int first, int last) {
+    for (int v = first; v < last; ++v) {
+      const int* block = blocks.data() + static_cast<std::size_t>(v) * size.width;
+      T* row = fine[v];
+      for (int u = 0; u < size.width; ++u) row[u] = block[u] >= 0 ? coarse[block[u]] : none;
+    }
+  });
   image = fine;
 }
 
 }  // namespace
 
-void spreadOverPixels(const Frame& frame, const Frame& coarse, int factor, Segmentation& result) {
+void spreadOverPixels(const Frame& frame, const Frame& coarse, int factor, int threads, Segmentation& result) {
   const cv::Size size(frame.width(), frame.height());
-  const std::vector<int> blocks = blocksOf(frame, coarse, factor);
+  const std::vector<int> blocks = blocksOf(frame, coarse, factor, threads);
   result.normals = {};
-  spread(blocks, size, uchar(0), result.object_points.mask);
-  spread(blocks, size, uchar(0), result.object_points.on_table);
-  spread(blocks, size, uchar(0), result.object_points.container);
-  spread(blocks, size, uchar(0), result.edges.kinds);
-  spread(blocks, size, 0, result.superpixels.label);
+  spread(blocks, size, uchar(0), threads, result.object_points.mask);
+  spread(blocks, size, uchar(0), threads, result.object_points.on_table);
+  spread(blocks, size, uchar(0), threads, result.object_points.container);
+  spread(blocks, size, uchar(0), threads, result.edges.kinds);
+  spread(blocks, size, 0, threads, result.superpixels.label);
   if (!result.object_points.height_m.empty()) {
     const Eigen::Vector3f normal = result.table.normal.cast<float>();
+    const float d = static_cast<float>(result.table.d);
     cv::Mat_<float> height_m(size);
-    for (int i = 0; i < frame.size(); ++i) {
-      height_m(i / size.width, i % size.width) = normal.dot(frame.points[i]) + static_cast<float>(result.table.d);
-    }
+    forRowBands(size.height, threads, [&](int first, int last) {
+      for (int v = first, i = first * size.width; v < last; ++v) {
+        for (int u = 0; u < size.width; ++u, ++i) height_m(v, u) = normal.dot(frame.points[i]) + d;
+      }
+    });
     result.object_points.height_m = height_m;
   }
 

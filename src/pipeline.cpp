@@ -11,7 +11,6 @@
 #include "grouping/standing_groups.hpp"
 #include "guarded_segmentation.hpp"
 #include "needed_resolution.hpp"
-#include "objectness_segmentation/common/thread_pool.hpp"
 #include "objectness_segmentation/grouping/bottom_up.hpp"
 #include "objectness_segmentation/grouping/group_cost.hpp"
 #include "objectness_segmentation/search/angle_search.hpp"
@@ -178,7 +177,6 @@ void remarkOnScale(const Frame& frame, Segmentation& result) {
 /// Fills `result` as far as it gets.
 void run(const Frame& frame, const Config& config, const LearnedObjectness* model, const GroupingMemory* memory,
          const std::atomic<bool>* cancel, Segmentation& result) {
-  const ThreadPool pool(config.runtime.threads);
   const Stages stage(cancel, result.report);
   observeScene(frame, config, stage, result);
   if (!result.status.ok()) {
@@ -206,7 +204,7 @@ Segmentation segmentRemembering(const Frame& frame, const Config& config, const 
       return;
     }
     try {
-      atNeededResolution(frame, config.resolution, result,
+      atNeededResolution(frame, config, result,
                          [&](const Frame& seen) { run(seen, config, model, memory, cancel, result); });
     } catch (const Cancelled&) {
       result.status = Status::error(StatusCode::kCancelled, "cancelled between stages");

@@ -12,7 +12,6 @@
 #include "grouping/object_judge.hpp"
 #include "guarded_segmentation.hpp"
 #include "needed_resolution.hpp"
-#include "objectness_segmentation/common/thread_pool.hpp"
 #include "objectness_segmentation/common/true_labels.hpp"
 #include "objectness_segmentation/evaluation/contracted_edges.hpp"
 #include "objectness_segmentation/grouping/bottom_up.hpp"
@@ -29,7 +28,6 @@ struct PieceScene {
 using Choose = std::function<std::vector<GroupHypothesis>(const PieceScene&)>;
 
 void run(const Frame& frame, const Config& config, const Choose& choose, Segmentation& result) {
-  const ThreadPool pool(config.runtime.threads);
   const Stages stage(nullptr, result.report);
   observeScene(frame, config, stage, result);
   if (!result.status.ok()) return;
@@ -47,8 +45,7 @@ Segmentation segmentBy(const Choose& choose, const Frame& frame, const Config& c
   return guardedSegmentation(frame, [&](Segmentation& result) {
     const std::vector<std::string> problems = validate(config);
     if (problems.empty()) {
-      atNeededResolution(frame, config.resolution, result,
-                         [&](const Frame& seen) { run(seen, config, choose, result); });
+      atNeededResolution(frame, config, result, [&](const Frame& seen) { run(seen, config, choose, result); });
     } else {
       result.status = Status::error(StatusCode::kBadConfig, problems.front());
     }

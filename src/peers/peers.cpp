@@ -139,7 +139,6 @@ std::vector<int> labelObjects(Peer peer, const Frame& frame, const PeersConfig& 
 }
 
 void run(Peer peer, const Frame& frame, const Config& config, const PeersConfig& settings, Segmentation& result) {
-  const ThreadPool pool(config.runtime.threads);
   const Stages stage(nullptr, result.report);
   const QuietPcl quiet;
   observe(peer, frame, config, settings, stage, result);
@@ -177,9 +176,10 @@ Segmentation segmentWithPeer(Peer peer, const Frame& frame, const Config& config
     if (problem.empty()) {
       const auto at = [&](const Frame& seen) { run(peer, seen, config, settings, result); };
       if (isPclAlone(peer)) {
+        const ThreadPool pool(config.runtime.threads);
         at(frame);
       } else {
-        atNeededResolution(frame, config.resolution, result, at);
+        atNeededResolution(frame, config, result, at);
       }
     } else {
       result.status = Status::error(StatusCode::kBadConfig, problem);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "objectness_segmentation/common/row_bands.hpp"
+
 namespace objectness {
 namespace {
 
@@ -35,6 +37,24 @@ float blockDepth(std::vector<float>& depths, int pixels) {
   return static_cast<float>(sum / static_cast<double>(end - first));
 }
 
+/// See blocksOf().
+int blockOf(const Frame& frame, const Frame& coarse, int factor, int u, int v) {
+  const float z = frame.points[static_cast<std::size_t>(v) * frame.width() + u].z();
+  if (!(z > 0)) return -1;
+  const int own = v / factor * coarse.width() + u / factor;
+  if (std::abs(coarse.points[own].z() - z) <= kJump * z) return own;
+  int block = -1;
+  float nearest = std::numeric_limits<float>::infinity();
+  for (int row = std::max(0, v / factor - 1); row <= std::min(coarse.height() - 1, v / factor + 1); ++row) {
+    for (int column = std::max(0, u / factor - 1); column <= std::min(coarse.width() - 1, u / factor + 1); ++column) {
+      const int other = row * coarse.width() + column;
+      const float distance = std::abs(coarse.points[other].z() - z);
+      if (distance < nearest) nearest = distance, block = other;
+    }
+  }
+  return nearest > 2 * kJump * z ? -1 : block;
+}
+
 }  // namespace
 
 int averagedPixels(const Frame& frame, const ResolutionConfig& config) {
@@ -51,7 +71,7 @@ int averagedPixels(const Frame& frame, const ResolutionConfig& config) {
   return std::max(1, static_cast<int>(std::min(2 * config.finest_pixel_m / pixel_m, widest)));
 }
 
-Frame averageBlocks(const Frame& frame, int factor) {
+Frame averageBlocks(const Frame& frame, int factor, int threads) {
   Frame coarse;
   coarse.camera = coarser(frame.camera, factor);
   coarse.remarks = frame.remarks;
@@ -60,61 +80,50 @@ Frame averageBlocks(const Frame& frame, int factor) {
   if (!frame.color.empty()) coarse.color.create(coarse.height(), coarse.width());
   std::vector<char> bridged(frame.bridged.empty() ? 0 : frame.size(), 0);
   for (const int pixel : frame.bridged) bridged[pixel] = 1;
+  std::vector<char> only_bridged(bridged.empty() ? 0 : coarse.size(), 0);
 
-  std::vector<float> depths;
-  for (int row = 0; row < coarse.height(); ++row) {
-    for (int column = 0; column < coarse.width(); ++column) {
-      const int last_u = std::min(frame.width(), (column + 1) * factor);
-      const int last_v = std::min(frame.height(), (row + 1) * factor);
-      depths.clear();
-      int pixels = 0, filled = 0;
-      cv::Vec3i color(0, 0, 0);
-      for (int v = row * factor; v < last_v; ++v) {
-        for (int u = column * factor; u < last_u; ++u) {
-          const int i = v * frame.width() + u;
-          ++pixels;
-          if (!frame.color.empty()) color += cv::Vec3i(frame.color(v, u));
-          if (!(frame.points[i].z() > 0)) continue;
-          depths.push_back(frame.points[i].z());
-          filled += !bridged.empty() && bridged[i];
+  forRowBands(coarse.height(), threads, [&](int first_row, int last_row) {
+    std::vector<float> depths;
+    for (int row = first_row; row < last_row; ++row) {
+      for (int column = 0; column < coarse.width(); ++column) {
+        const int last_u = std::min(frame.width(), (column + 1) * factor);
+        const int last_v = std::min(frame.height(), (row + 1) * factor);
+        depths.clear();
+        int pixels = 0, filled = 0;
+        cv::Vec3i color(0, 0, 0);
+        for (int v = row * factor; v < last_v; ++v) {
+          for (int u = column * factor; u < last_u; ++u) {
+            const int i = v * frame.width() + u;
+            ++pixels;
+            if (!frame.color.empty()) color += cv::Vec3i(frame.color(v, u));
+            if (!(frame.points[i].z() > 0)) continue;
+            depths.push_back(frame.points[i].z());
+            filled += !bridged.empty() && bridged[i];
+          }
         }
+        const int i = row * coarse.width() + column;
+        if (!frame.color.empty()) coarse.color(row, column) = color / pixels;
+        const int measured = static_cast<int>(depths.size()) - filled;
+        const float z = blockDepth(depths, pixels);
+        if (!(z > 0)) continue;
+        coarse.points[i] = z * coarse.camera.ray(column, row).cast<float>();
+        if (measured == 0) only_bridged[i] = 1;
       }
-      const int i = row * coarse.width() + column;
-      if (!frame.color.empty()) coarse.color(row, column) = color / pixels;
-      const int measured = static_cast<int>(depths.size()) - filled;
-      const float z = blockDepth(depths, pixels);
-      if (!(z > 0)) continue;
-      coarse.points[i] = z * coarse.camera.ray(column, row).cast<float>();
-      if (measured == 0) coarse.bridged.push_back(i);
     }
+  });
+  for (std::size_t i = 0; i < only_bridged.size(); ++i) {
+    if (only_bridged[i]) coarse.bridged.push_back(static_cast<int>(i));
   }
   return coarse;
 }
 
-std::vector<int> blocksOf(const Frame& frame, const Frame& coarse, int factor) {
-  std::vector<int> blocks(frame.points.size(), -1);
-  for (int v = 0, i = 0; v < frame.height(); ++v) {
-    for (int u = 0; u < frame.width(); ++u, ++i) {
-      const float z = frame.points[i].z();
-      if (!(z > 0)) continue;
-      const int own = v / factor * coarse.width() + u / factor;
-      const float apart = std::abs(coarse.points[own].z() - z);
-      if (apart <= kJump * z) {
-        blocks[i] = own;
-        continue;
-      }
-      float nearest = std::numeric_limits<float>::infinity();
-      for (int row = std::max(0, v / factor - 1); row <= std::min(coarse.height() - 1, v / factor + 1); ++row) {
-        for (int column = std::max(0, u / factor - 1); column <= std::min(coarse.width() - 1, u / factor + 1);
-             ++column) {
-          const int other = row * coarse.width() + column;
-          const float distance = std::abs(coarse.points[other].z() - z);
-          if (distance < nearest) nearest = distance, blocks[i] = other;
-        }
-      }
-      if (nearest > 2 * kJump * z) blocks[i] = -1;
+std::vector<int> blocksOf(const Frame& frame, const Frame& coarse, int factor, int threads) {
+  std::vector<int> blocks(frame.points.size());
+  forRowBands(frame.height(), threads, [&](int first, int last) {
+    for (int v = first, i = first * frame.width(); v < last; ++v) {
+      for (int u = 0; u < frame.width(); ++u, ++i) blocks[i] = blockOf(frame, coarse, factor, u, v);
     }
-  }
+  });
   return blocks;
 }
 

@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
   ros::NodeHandle nh;
   auto client = nh.serviceClient<objectness_segmentation::SegmentOnce>("segment");
   objectness_segmentation::SegmentOnce call;
-  call.request.timeout = 10;
+  call.request.timeout = 30;  // seconds
   if (!client.waitForExistence(ros::Duration(10)) || !client.call(call)) {
     return std::cerr << "no service " << client.getService() << ": is the nodelet running?\n", 1;
   }

@@ -20,6 +20,11 @@ class Client : public ToolTest {
 
 class ExampleClient : public SegmentObjects {
  protected:
+  void SetUp() override {
+    SegmentObjects::SetUp();
+    ASSERT_TRUE(ros::service::waitForService(std::string(kNode) + "/segment", kTimeout * 1000));
+  }
+
   Client client_;
 };
 

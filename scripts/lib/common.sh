@@ -80,7 +80,7 @@ job_count() {
 build_all() {
   local testing=$1 jobs=$2 cache=$build_dir/CMakeCache.txt
   shift 2
-  "$scripts_dir/install_dependencies"
+  "$scripts_dir/install_dependencies" ${testing:+--checks}
   enter_ros
   if [ -e "$cache" ]; then
     if ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$repo_dir" "$cache"; then

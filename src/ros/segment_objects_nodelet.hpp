@@ -27,7 +27,7 @@ namespace objectness_segmentation {
 
 /// Segments the newest frame. ROS callbacks, all on the nodelet's single-threaded queue, only hand frames over; one
 /// worker thread converts, segments and publishes; the service waits in a thread of its own. Topics and parameters are
-/// described in the README.
+/// described in doc/ros.md.
 class SegmentObjectsNodelet : public nodelet::Nodelet {
  public:
   ~SegmentObjectsNodelet() override;

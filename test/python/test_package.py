@@ -68,7 +68,7 @@ class Package(ModuleTest):
         code = blocks[1].split('```')[0]
         self.assertLessEqual(len(code.splitlines()), 10)
         self.make_scene('full').rename(self.folder / 'DIR')
-        self.assertEqual(len(self.run_python('-c', code).splitlines()), 6)
+        self.assertEqual(len(self.run_python('-c', code, self.folder / 'DIR').splitlines()), 6)
 
     def test_script_in_examples(self):
         script = REPOSITORY / 'examples' / 'segment_arrays.py'

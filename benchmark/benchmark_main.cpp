@@ -4,8 +4,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "objectness_segmentation/common/frame_memory.hpp"
-#include "objectness_segmentation/evaluation/run.hpp"
+#include "common/frame_memory.hpp"
+#include "evaluation/run.hpp"
 #include "options.hpp"
 #include "progress_reporter.hpp"
 #include "registration.hpp"

@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "objectness_segmentation/io/config_yaml.hpp"
-#include "objectness_segmentation/peers/peers.hpp"
 #include "objectness_segmentation/pipeline.hpp"
+#include "peers/peers.hpp"
 
 namespace objectness::benchmarks {
 namespace {

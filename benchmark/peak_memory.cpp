@@ -8,7 +8,7 @@
 
 #include <new>
 
-#include "objectness_segmentation/evaluation/processes.hpp"
+#include "evaluation/processes.hpp"
 
 namespace objectness::benchmarks {
 namespace {

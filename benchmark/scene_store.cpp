@@ -5,9 +5,9 @@
 #include <set>
 #include <stdexcept>
 
-#include "objectness_segmentation/evaluation/scores.hpp"
+#include "evaluation/scores.hpp"
 #include "objectness_segmentation/io/scene_folder.hpp"
-#include "objectness_segmentation/segments/segments.hpp"
+#include "segments/segments.hpp"
 
 namespace objectness::benchmarks {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "evaluation/scenes.hpp"
 #include "objectness_segmentation/common/status.hpp"
-#include "objectness_segmentation/evaluation/scenes.hpp"
 #include "objectness_segmentation/scene/frame.hpp"
 
 namespace objectness::benchmarks {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "frame_methods.hpp"
-#include "objectness_segmentation/integral/voxel_marker.hpp"
-#include "objectness_segmentation/search/angle_search.hpp"
-#include "objectness_segmentation/search/search.hpp"
+#include "integral/voxel_marker.hpp"
+#include "search/angle_search.hpp"
+#include "search/search.hpp"
 
 namespace objectness::benchmarks {
 

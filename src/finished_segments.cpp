@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "finished_segments.hpp"
 
-#include "objectness_segmentation/segments/background.hpp"
-#include "objectness_segmentation/segments/whole_boxes.hpp"
+#include "segments/background.hpp"
+#include "segments/whole_boxes.hpp"
 
 namespace objectness {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "front_end.hpp"
 
-#include "objectness_segmentation/cues/surface_cues.hpp"
-#include "objectness_segmentation/scene/refined_normals.hpp"
-#include "objectness_segmentation/scene/surface_check.hpp"
+#include "cues/surface_cues.hpp"
+#include "scene/refined_normals.hpp"
+#include "scene/surface_check.hpp"
 
 namespace objectness {
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "needed_resolution.hpp"
 
-#include "objectness_segmentation/common/row_bands.hpp"
+#include "common/row_bands.hpp"
+#include "segments/segments.hpp"
 
 namespace objectness {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "objectness_segmentation/common/thread_pool.hpp"
+#include "common/thread_pool.hpp"
 #include "objectness_segmentation/config.hpp"
 #include "objectness_segmentation/result.hpp"
-#include "objectness_segmentation/scene/resolution.hpp"
+#include "scene/resolution.hpp"
 
 namespace objectness {
 

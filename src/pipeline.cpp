@@ -7,15 +7,15 @@
 #include "doubtful_scale.hpp"
 #include "finished_segments.hpp"
 #include "front_end.hpp"
+#include "grouping/bottom_up.hpp"
+#include "grouping/group_cost.hpp"
 #include "grouping/object_judge.hpp"
 #include "grouping/standing_groups.hpp"
 #include "guarded_segmentation.hpp"
 #include "needed_resolution.hpp"
-#include "objectness_segmentation/grouping/bottom_up.hpp"
-#include "objectness_segmentation/grouping/group_cost.hpp"
-#include "objectness_segmentation/search/angle_search.hpp"
-#include "objectness_segmentation/selection/hypotheses.hpp"
 #include "remembering_segment.hpp"
+#include "search/angle_search.hpp"
+#include "selection/hypotheses.hpp"
 
 namespace objectness {
 namespace {

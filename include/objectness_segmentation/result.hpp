@@ -8,7 +8,7 @@
 
 #include "objectness_segmentation/common/stage_timer.hpp"
 #include "objectness_segmentation/scene_observation.hpp"
-#include "objectness_segmentation/segments/segments.hpp"
+#include "objectness_segmentation/segments/segment.hpp"
 
 namespace objectness {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/common/assignment.hpp"
+#include "common/assignment.hpp"
 
 #include <algorithm>
 #include <limits>

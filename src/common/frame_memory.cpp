@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/common/frame_memory.hpp"
+#include "common/frame_memory.hpp"
 
 #include <cstdlib>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/common/thread_pool.hpp"
+#include "common/thread_pool.hpp"
 
 #include <algorithm>
 #include <chrono>

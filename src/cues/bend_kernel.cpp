@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bend_kernel.hpp"
+#include "cues/bend_kernel.hpp"
 
-#include "objectness_segmentation/common/target_clones.hpp"
+#include "common/target_clones.hpp"
 
 namespace objectness {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "crease.hpp"
+#include "cues/crease.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "bend_kernel.hpp"
-#include "objectness_segmentation/common/row_bands.hpp"
-#include "side_runs.hpp"
+#include "common/row_bands.hpp"
+#include "cues/bend_kernel.hpp"
+#include "cues/side_runs.hpp"
 
 namespace objectness {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "crease.hpp"
-#include "grown_pieces.hpp"
+#include "cues/crease.hpp"
+#include "cues/grown_pieces.hpp"
 #include "objectness_segmentation/cues/edges.hpp"
 #include "objectness_segmentation/cues/superpixels.hpp"
 

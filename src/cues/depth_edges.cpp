@@ -6,10 +6,10 @@
 #include <limits>
 #include <vector>
 
-#include "crease.hpp"
-#include "depth_edge_kernel.hpp"
-#include "edge_detectors.hpp"
-#include "objectness_segmentation/common/row_bands.hpp"
+#include "common/row_bands.hpp"
+#include "cues/crease.hpp"
+#include "cues/depth_edge_kernel.hpp"
+#include "cues/edge_detectors.hpp"
 
 namespace objectness {
 namespace {

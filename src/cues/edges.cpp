@@ -7,9 +7,9 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "../scene/mask_parts.hpp"
-#include "cue_steps.hpp"
-#include "edge_detectors.hpp"
+#include "cues/cue_steps.hpp"
+#include "cues/edge_detectors.hpp"
+#include "scene/mask_parts.hpp"
 
 namespace objectness {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "grown_pieces.hpp"
+#include "cues/grown_pieces.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-#include "radix_order.hpp"
+#include "cues/radix_order.hpp"
 
 namespace objectness {
 namespace {

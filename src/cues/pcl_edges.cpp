@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "edge_detectors.hpp"
+#include "cues/edge_detectors.hpp"
 
 namespace objectness {
 namespace {

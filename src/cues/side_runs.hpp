@@ -5,8 +5,8 @@
 #include <cstring>
 #include <vector>
 
-#include "bend_kernel.hpp"
-#include "crease.hpp"
+#include "cues/bend_kernel.hpp"
+#include "cues/crease.hpp"
 
 namespace objectness {
 

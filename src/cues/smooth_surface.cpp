@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "crease.hpp"
-#include "grown_pieces.hpp"
-#include "objectness_segmentation/common/row_bands.hpp"
+#include "common/row_bands.hpp"
+#include "cues/crease.hpp"
+#include "cues/grown_pieces.hpp"
 
 namespace objectness {
 namespace {

@@ -6,10 +6,10 @@
 #include <limits>
 #include <vector>
 
-#include "../scene/sampled_values.hpp"
-#include "cue_steps.hpp"
-#include "grown_pieces.hpp"
-#include "objectness_segmentation/common/row_bands.hpp"
+#include "common/row_bands.hpp"
+#include "cues/cue_steps.hpp"
+#include "cues/grown_pieces.hpp"
+#include "scene/sampled_values.hpp"
 
 namespace objectness {
 namespace {

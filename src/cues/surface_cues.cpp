@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/cues/surface_cues.hpp"
+#include "cues/surface_cues.hpp"
 
-#include "cue_steps.hpp"
-#include "objectness_segmentation/common/parallel.hpp"
+#include "common/parallel.hpp"
+#include "cues/cue_steps.hpp"
 
 namespace objectness {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "boundary.hpp"
+#include "evaluation/boundary.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/evaluation/box_fits.hpp"
+#include "evaluation/box_fits.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "objectness_segmentation/common/angles.hpp"
-#include "objectness_segmentation/evaluation/box_overlap.hpp"
-#include "objectness_segmentation/evaluation/scores.hpp"
+#include "common/angles.hpp"
+#include "evaluation/box_overlap.hpp"
+#include "evaluation/scores.hpp"
+#include "evaluation/visible_boxes.hpp"
 #include "segments/box_axes.hpp"
-#include "visible_boxes.hpp"
 
 namespace objectness::evaluation {
 namespace {

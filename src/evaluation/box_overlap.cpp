@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/evaluation/box_overlap.hpp"
+#include "evaluation/box_overlap.hpp"
 
 #include <algorithm>
 #include <vector>

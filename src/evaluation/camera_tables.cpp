@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/evaluation/camera_tables.hpp"
+#include "evaluation/camera_tables.hpp"
 
 #include <filesystem>
 #include <map>
 #include <sstream>
 
+#include "evaluation/table_text.hpp"
 #include "io/file_access.hpp"
-#include "table_text.hpp"
 
 namespace objectness::evaluation {
 namespace fs = std::filesystem;

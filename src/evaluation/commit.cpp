@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "evaluation/run.hpp"
 #include "evaluation_commit.hpp"  // written into the build folder at every build
-#include "objectness_segmentation/evaluation/run.hpp"
 
 namespace objectness::evaluation {
 

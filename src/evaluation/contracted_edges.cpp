@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/evaluation/contracted_edges.hpp"
+#include "evaluation/contracted_edges.hpp"
 
 #include <algorithm>
 #include <map>

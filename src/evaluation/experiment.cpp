@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/evaluation/experiment.hpp"
+#include "evaluation/experiment.hpp"
 
 #include <filesystem>
 
-#include "objectness_segmentation/evaluation/processes.hpp"
-#include "objectness_segmentation/evaluation/run.hpp"
-#include "objectness_segmentation/evaluation/scene_job.hpp"
+#include "evaluation/processes.hpp"
+#include "evaluation/run.hpp"
+#include "evaluation/scene_job.hpp"
 
 namespace objectness::evaluation {
 namespace fs = std::filesystem;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/evaluation/figures.hpp"
+#include "evaluation/figures.hpp"
 
 #include <algorithm>
 #include <map>

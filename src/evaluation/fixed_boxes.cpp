@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/evaluation/fixed_boxes.hpp"
+#include "evaluation/fixed_boxes.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "objectness_segmentation/common/angles.hpp"
+#include "common/angles.hpp"
 
 namespace objectness::evaluation {
 namespace {

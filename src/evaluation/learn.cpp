@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/evaluation/learn.hpp"
+#include "evaluation/learn.hpp"
 
 #include <algorithm>
 #include <map>
 #include <mutex>
 #include <optional>
 
-#include "../io/png_file.hpp"
-#include "objectness_segmentation/common/parallel.hpp"
+#include "common/parallel.hpp"
+#include "io/png_file.hpp"
 #include "objectness_segmentation/io/scene_folder.hpp"
 #include "objectness_segmentation/pipeline.hpp"
 

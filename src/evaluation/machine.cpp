@@ -6,7 +6,7 @@
 #include <opencv2/core/version.hpp>
 #include <thread>
 
-#include "objectness_segmentation/evaluation/run.hpp"
+#include "evaluation/run.hpp"
 
 namespace objectness::evaluation {
 namespace {

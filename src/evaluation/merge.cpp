@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <map>
 
+#include "evaluation/run.hpp"
 #include "io/file_access.hpp"
-#include "objectness_segmentation/evaluation/run.hpp"
 
 namespace objectness::evaluation {
 namespace fs = std::filesystem;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/evaluation/methods.hpp"
+#include "evaluation/methods.hpp"
 
 #include <algorithm>
 #include <boost/crc.hpp>
 #include <memory>
 
-#include "objectness_segmentation/evaluation/piece_methods.hpp"
+#include "evaluation/piece_methods.hpp"
 #include "objectness_segmentation/io/config_yaml.hpp"
-#include "objectness_segmentation/peers/peers.hpp"
 #include "objectness_segmentation/pipeline.hpp"
 #include "objectness_segmentation/sequence.hpp"
+#include "peers/peers.hpp"
 
 namespace objectness::evaluation {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/evaluation/picture_boxes.hpp"
+#include "evaluation/picture_boxes.hpp"
 
 #include <yaml-cpp/yaml.h>
 
@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <map>
 
+#include "common/assignment.hpp"
 #include "io/file_access.hpp"
 #include "io/yaml_text.hpp"
-#include "objectness_segmentation/common/assignment.hpp"
-#include "objectness_segmentation/segments/segments.hpp"
+#include "segments/segments.hpp"
 
 namespace objectness::evaluation {
 namespace {

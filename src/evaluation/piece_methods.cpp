@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/evaluation/piece_methods.hpp"
+#include "evaluation/piece_methods.hpp"
 
 #include <algorithm>
 #include <functional>
 #include <map>
 #include <numeric>
 
+#include "common/true_labels.hpp"
+#include "evaluation/contracted_edges.hpp"
 #include "finished_segments.hpp"
 #include "front_end.hpp"
+#include "grouping/bottom_up.hpp"
 #include "grouping/group_parts.hpp"
 #include "grouping/object_judge.hpp"
 #include "guarded_segmentation.hpp"
 #include "needed_resolution.hpp"
-#include "objectness_segmentation/common/true_labels.hpp"
-#include "objectness_segmentation/evaluation/contracted_edges.hpp"
-#include "objectness_segmentation/grouping/bottom_up.hpp"
 
 namespace objectness::evaluation {
 namespace {

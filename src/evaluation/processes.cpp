@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/evaluation/processes.hpp"
+#include "evaluation/processes.hpp"
 
 #include <fcntl.h>
 #include <sys/prctl.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/evaluation/proposals.hpp"
+#include "evaluation/proposals.hpp"
 
 #include <algorithm>
 #include <map>
 
-#include "objectness_segmentation/common/true_labels.hpp"
-#include "objectness_segmentation/evaluation/box_overlap.hpp"
+#include "common/true_labels.hpp"
+#include "evaluation/box_overlap.hpp"
 
 namespace objectness::evaluation {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/evaluation/run.hpp"
+#include "evaluation/run.hpp"
 
 #include <filesystem>
 #include <nlohmann/json.hpp>

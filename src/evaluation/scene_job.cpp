@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/evaluation/scene_job.hpp"
+#include "evaluation/scene_job.hpp"
 
 #include <sys/resource.h>
 
@@ -9,12 +9,12 @@
 #include <new>
 #include <set>
 
+#include "evaluation/true_boxes.hpp"
 #include "io/file_access.hpp"
 #include "io/png_file.hpp"
-#include "objectness_segmentation/evaluation/true_boxes.hpp"
 #include "objectness_segmentation/io/overlay.hpp"
 #include "objectness_segmentation/io/scene_folder.hpp"
-#include "objectness_segmentation/selection/box_filter.hpp"
+#include "selection/box_filter.hpp"
 
 namespace objectness::evaluation {
 namespace fs = std::filesystem;

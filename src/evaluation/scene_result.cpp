@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/evaluation/scene_result.hpp"
+#include "evaluation/scene_result.hpp"
 
 #include <array>
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/evaluation/scenes.hpp"
+#include "evaluation/scenes.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/evaluation/scores.hpp"
+#include "evaluation/scores.hpp"
 
 #include <Eigen/Core>
 #include <map>
 
-#include "boundary.hpp"
-#include "objectness_segmentation/common/assignment.hpp"
-#include "objectness_segmentation/common/true_labels.hpp"
-#include "objectness_segmentation/segments/segments.hpp"
+#include "common/assignment.hpp"
+#include "common/true_labels.hpp"
+#include "evaluation/boundary.hpp"
+#include "segments/segments.hpp"
 
 namespace objectness::evaluation {
 namespace {

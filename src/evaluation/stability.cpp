@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/evaluation/stability.hpp"
+#include "evaluation/stability.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,13 +7,13 @@
 #include <map>
 #include <sstream>
 
+#include "common/assignment.hpp"
+#include "evaluation/box_fits.hpp"
+#include "evaluation/table_text.hpp"
 #include "io/file_access.hpp"
 #include "io/png_file.hpp"
-#include "objectness_segmentation/common/assignment.hpp"
-#include "objectness_segmentation/evaluation/box_fits.hpp"
-#include "objectness_segmentation/segments/segments.hpp"
 #include "segments/box_axes.hpp"
-#include "table_text.hpp"
+#include "segments/segments.hpp"
 
 namespace objectness::evaluation {
 namespace fs = std::filesystem;

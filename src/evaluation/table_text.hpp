@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "objectness_segmentation/evaluation/scores.hpp"
+#include "evaluation/scores.hpp"
 
 namespace objectness::evaluation {
 

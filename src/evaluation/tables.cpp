@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/evaluation/tables.hpp"
+#include "evaluation/tables.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "evaluation/table_text.hpp"
 #include "io/file_access.hpp"
-#include "table_text.hpp"
 
 namespace objectness::evaluation {
 namespace fs = std::filesystem;

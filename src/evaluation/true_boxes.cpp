@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/evaluation/true_boxes.hpp"
+#include "evaluation/true_boxes.hpp"
 
 #include <yaml-cpp/yaml.h>
 
@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <set>
 
+#include "common/true_labels.hpp"
+#include "evaluation/visible_boxes.hpp"
 #include "io/file_access.hpp"
 #include "io/yaml_text.hpp"
-#include "objectness_segmentation/common/true_labels.hpp"
-#include "visible_boxes.hpp"
 
 namespace objectness::evaluation {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "visible_boxes.hpp"
+#include "evaluation/visible_boxes.hpp"
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "objectness_segmentation/common/angles.hpp"
+#include "common/angles.hpp"
 
 namespace objectness::evaluation {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/grouping/borders.hpp"
+#include "grouping/borders.hpp"
 
 #include <algorithm>
 #include <cmath>

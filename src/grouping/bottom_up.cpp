@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/grouping/bottom_up.hpp"
+#include "grouping/bottom_up.hpp"
 
 #include <algorithm>
 
-#include "objectness_segmentation/common/parallel.hpp"
-#include "objectness_segmentation/grouping/propose_groups.hpp"
+#include "common/parallel.hpp"
+#include "grouping/propose_groups.hpp"
 #include "objectness_segmentation/learning/cue_list.hpp"
 
 namespace objectness {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-#include "group_parts.hpp"
-#include "pixel_kernel.hpp"
+#include "grouping/group_parts.hpp"
+#include "grouping/pixel_kernel.hpp"
 
 namespace objectness {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/grouping/contact_cues.hpp"
+#include "grouping/contact_cues.hpp"
 
 #include <algorithm>
 #include <cmath>

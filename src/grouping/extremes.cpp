@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "extremes.hpp"
+#include "grouping/extremes.hpp"
 
 #include <algorithm>
 #include <functional>

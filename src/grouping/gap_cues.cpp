@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/grouping/gap_cues.hpp"
+#include "grouping/gap_cues.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
-#include "objectness_segmentation/common/parallel.hpp"
+#include "common/parallel.hpp"
 
 namespace objectness {
 namespace {

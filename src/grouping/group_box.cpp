@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/grouping/group_box.hpp"
+#include "grouping/group_box.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "extremes.hpp"
+#include "grouping/extremes.hpp"
 
 namespace objectness {
 namespace {

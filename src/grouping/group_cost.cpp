@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/grouping/group_cost.hpp"
+#include "grouping/group_cost.hpp"
 
 #include <algorithm>
 #include <limits>
 
-#include "objectness_segmentation/grouping/hand_set.hpp"
-#include "objectness_segmentation/selection/scene_points.hpp"
+#include "grouping/hand_set.hpp"
+#include "selection/scene_points.hpp"
 
 namespace objectness {
 namespace {

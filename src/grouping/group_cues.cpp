@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/grouping/group_cues.hpp"
+#include "grouping/group_cues.hpp"
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
-#include "group_parts.hpp"
-#include "objectness_segmentation/common/parallel.hpp"
-#include "objectness_segmentation/grouping/group_box.hpp"
+#include "common/parallel.hpp"
+#include "grouping/group_box.hpp"
+#include "grouping/group_parts.hpp"
 
 namespace objectness {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <opencv2/core.hpp>
 
-#include "ball.hpp"
-#include "objectness_segmentation/grouping/group_cues.hpp"
+#include "grouping/ball.hpp"
+#include "grouping/group_cues.hpp"
 
 namespace objectness {
 

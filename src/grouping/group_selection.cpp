@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/grouping/group_selection.hpp"
+#include "grouping/group_selection.hpp"
 
 #include <algorithm>
 
-#include "group_parts.hpp"
+#include "grouping/group_parts.hpp"
 
 namespace objectness {
 namespace {

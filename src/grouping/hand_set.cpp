@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/grouping/hand_set.hpp"
+#include "grouping/hand_set.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "group_parts.hpp"
+#include "grouping/group_parts.hpp"
 
 namespace objectness {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/grouping/links.hpp"
+#include "grouping/links.hpp"
 
-#include "ball.hpp"
-#include "objectness_segmentation/common/parallel.hpp"
+#include "common/parallel.hpp"
+#include "grouping/ball.hpp"
 #include "objectness_segmentation/learning/cue_list.hpp"
 
 namespace objectness {

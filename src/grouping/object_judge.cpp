@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "object_judge.hpp"
+#include "grouping/object_judge.hpp"
 
-#include "objectness_segmentation/grouping/hand_set.hpp"
+#include "grouping/hand_set.hpp"
 
 namespace objectness {
 

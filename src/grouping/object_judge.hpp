@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "grouping/bottom_up.hpp"
 #include "objectness_segmentation/config.hpp"
-#include "objectness_segmentation/grouping/bottom_up.hpp"
 #include "objectness_segmentation/learning/learned_objectness.hpp"
 
 namespace objectness {

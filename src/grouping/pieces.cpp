@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/grouping/pieces.hpp"
+#include "grouping/pieces.hpp"
 
-#include "../scene/connected_points.hpp"
-#include "objectness_segmentation/segments/geodesic_assignment.hpp"
+#include "scene/connected_points.hpp"
+#include "segments/geodesic_assignment.hpp"
 
 namespace objectness {
 namespace {

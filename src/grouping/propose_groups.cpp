@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/grouping/propose_groups.hpp"
+#include "grouping/propose_groups.hpp"
 
 #include <algorithm>
 #include <cmath>

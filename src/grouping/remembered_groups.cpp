@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "remembered_groups.hpp"
+#include "grouping/remembered_groups.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "group_parts.hpp"
+#include "grouping/group_parts.hpp"
 
 namespace objectness {
 namespace {

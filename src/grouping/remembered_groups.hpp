@@ -4,7 +4,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "objectness_segmentation/grouping/group_selection.hpp"
+#include "grouping/group_selection.hpp"
 
 namespace objectness {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "standing_groups.hpp"
+#include "grouping/standing_groups.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "../common/share_below.hpp"
-#include "../scene/unions.hpp"
+#include "common/share_below.hpp"
+#include "scene/unions.hpp"
 
 namespace objectness {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/integral/cue_volumes.hpp"
+#include "integral/cue_volumes.hpp"
 
 namespace objectness {
 

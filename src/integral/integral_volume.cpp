@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/integral/integral_volume.hpp"
+#include "integral/integral_volume.hpp"
 
 #include <algorithm>
 
-#include "integral_kernel.hpp"
+#include "integral/integral_kernel.hpp"
 
 namespace objectness {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occlusion_map.hpp"
+#include "integral/occlusion_map.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "objectness_segmentation/common/parallel.hpp"
+#include "common/parallel.hpp"
 
 namespace objectness {
 namespace {

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "integral/voxel_kernel.hpp"
 #include "objectness_segmentation/integral/volume_config.hpp"
 #include "objectness_segmentation/scene/frame.hpp"
 #include "objectness_segmentation/scene/table.hpp"
-#include "voxel_kernel.hpp"
 
 namespace objectness {
 

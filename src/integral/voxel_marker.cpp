@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/integral/voxel_marker.hpp"
+#include "integral/voxel_marker.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "occlusion_map.hpp"
-#include "voxel_kernel.hpp"
+#include "integral/occlusion_map.hpp"
+#include "integral/voxel_kernel.hpp"
 
 namespace objectness {
 namespace {

@@ -9,9 +9,9 @@
 #include <sstream>
 #include <vector>
 
-#include "file_access.hpp"
+#include "io/file_access.hpp"
+#include "io/yaml_text.hpp"
 #include "objectness_segmentation/io/depth_scale.hpp"
-#include "yaml_text.hpp"
 
 namespace objectness {
 namespace {

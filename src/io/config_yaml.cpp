@@ -8,10 +8,10 @@
 #include <limits>
 #include <sstream>
 
-#include "file_access.hpp"
-#include "name_suggestion.hpp"
+#include "io/file_access.hpp"
+#include "io/name_suggestion.hpp"
+#include "io/yaml_text.hpp"
 #include "objectness_segmentation/config_fields.hpp"
-#include "yaml_text.hpp"
 
 namespace objectness {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "file_access.hpp"
+#include "io/file_access.hpp"
 
 #include <cerrno>
 #include <cstdio>

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "file_access.hpp"
+#include "io/file_access.hpp"
 #include "objectness_segmentation/io/camera_yaml.hpp"
 #include "objectness_segmentation/io/pcd_file.hpp"
 #include "objectness_segmentation/io/scene_folder.hpp"

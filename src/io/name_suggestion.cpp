@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "name_suggestion.hpp"
+#include "io/name_suggestion.hpp"
 
 #include <algorithm>
 #include <numeric>

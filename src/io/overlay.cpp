@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
-#include "objectness_segmentation/common/color_palette.hpp"
+#include "common/color_palette.hpp"
 
 namespace objectness {
 namespace {

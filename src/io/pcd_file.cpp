@@ -9,8 +9,8 @@
 #include <cstring>
 #include <optional>
 
-#include "pcd_header.hpp"
-#include "quiet_pcl.hpp"
+#include "io/pcd_header.hpp"
+#include "io/quiet_pcl.hpp"
 
 namespace objectness {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pcd_header.hpp"
+#include "io/pcd_header.hpp"
 
 #include <algorithm>
 #include <cctype>

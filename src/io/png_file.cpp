@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "png_file.hpp"
+#include "io/png_file.hpp"
 
 #include <boost/crc.hpp>
 #include <cstdint>
 #include <opencv2/imgcodecs.hpp>
 #include <utility>
 
-#include "file_access.hpp"
+#include "io/file_access.hpp"
 #include "scene/image_limits.hpp"
 
 namespace objectness {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "quiet_pcl.hpp"
+#include "io/quiet_pcl.hpp"
 
 #include <pcl/console/print.h>
 

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "file_access.hpp"
+#include "io/file_access.hpp"
+#include "io/png_file.hpp"
 #include "objectness_segmentation/io/overlay.hpp"
-#include "png_file.hpp"
 
 namespace objectness {
 namespace fs = std::filesystem;

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "file_access.hpp"
+#include "io/file_access.hpp"
+#include "io/png_file.hpp"
 #include "objectness_segmentation/io/camera_yaml.hpp"
-#include "png_file.hpp"
 
 namespace objectness {
 namespace fs = std::filesystem;

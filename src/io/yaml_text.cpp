@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "yaml_text.hpp"
+#include "io/yaml_text.hpp"
 
 #include <boost/algorithm/string/replace.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/learning/forest_trainer.hpp"
+#include "learning/forest_trainer.hpp"
 
 #include <algorithm>
 #include <cmath>

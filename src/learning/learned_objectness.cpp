@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "../io/file_access.hpp"
-#include "default_model.hpp"
-#include "objectness_segmentation/grouping/group_cues.hpp"
+#include "grouping/group_cues.hpp"
+#include "io/file_access.hpp"
+#include "learning/default_model.hpp"
 #include "objectness_segmentation/learning/cue_list.hpp"
 
 namespace objectness {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/learning/training_scene.hpp"
+#include "learning/training_scene.hpp"
 
 #include <algorithm>
 
+#include "common/true_labels.hpp"
 #include "front_end.hpp"
-#include "objectness_segmentation/common/true_labels.hpp"
 #include "objectness_segmentation/learning/cue_list.hpp"
+#include "scene/resolution.hpp"
 
 namespace objectness {
 namespace {

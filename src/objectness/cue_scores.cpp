@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/objectness/cue_scores.hpp"
+#include "objectness/cue_scores.hpp"
 
 namespace objectness {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/objectness/objectness.hpp"
+#include "objectness/objectness.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "objectness_segmentation/objectness/cue_scores.hpp"
+#include "objectness/cue_scores.hpp"
 
 namespace objectness {
 

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/peers/peers.hpp"
+#include "peers/peers.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <map>
 #include <sstream>
 
-#include "convex_parts.hpp"
-#include "euclidean_clusters.hpp"
+#include "common/thread_pool.hpp"
 #include "front_end.hpp"
 #include "guarded_segmentation.hpp"
 #include "io/quiet_pcl.hpp"
-#include "mps.hpp"
 #include "needed_resolution.hpp"
-#include "objectness_segmentation/common/thread_pool.hpp"
-#include "organized_clusters.hpp"
-#include "ransac_plane.hpp"
+#include "peers/convex_parts.hpp"
+#include "peers/euclidean_clusters.hpp"
+#include "peers/mps.hpp"
+#include "peers/organized_clusters.hpp"
+#include "peers/ransac_plane.hpp"
 #include "scene/plane_grid.hpp"
+#include "segments/segments.hpp"
 
 namespace objectness {
 namespace {

@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "numpy_images.hpp"
 #include "objectness_segmentation/io/config_yaml.hpp"
 #include "objectness_segmentation/io/result_writer.hpp"
 #include "objectness_segmentation/pipeline.hpp"
 #include "objectness_segmentation/sequence.hpp"
+#include "python/numpy_images.hpp"
 
 namespace py = pybind11;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "numpy_images.hpp"
+#include "python/numpy_images.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/ros/bag_input.hpp"
+#include "ros/bag_input.hpp"
 
 #include <exception>
 #include <filesystem>
 #include <fstream>
 
-#include "read_message.hpp"
-#include "recorded_cameras.hpp"
-#include "recorded_colors.hpp"
+#include "ros/read_message.hpp"
+#include "ros/recorded_cameras.hpp"
+#include "ros/recorded_colors.hpp"
 
 namespace objectness_segmentation {
 namespace {

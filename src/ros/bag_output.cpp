@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/ros/bag_output.hpp"
+#include "ros/bag_output.hpp"
 
 namespace objectness_segmentation {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/ros/bag_topics.hpp"
+#include "ros/bag_topics.hpp"
 
 #include <rosbag/view.h>
 #include <sensor_msgs/CameraInfo.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "camera_partners.hpp"
+#include "ros/camera_partners.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "frame_names.hpp"
+#include "ros/frame_names.hpp"
 
 namespace objectness_segmentation {
 namespace {

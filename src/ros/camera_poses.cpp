@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "camera_poses.hpp"
+#include "ros/camera_poses.hpp"
 
 #include <tf2_eigen/tf2_eigen.h>
 
@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-#include "frame_names.hpp"
+#include "ros/frame_names.hpp"
 
 namespace objectness_segmentation {
 namespace {

@@ -11,8 +11,8 @@
 #include <optional>
 #include <string>
 
-#include "node_settings.hpp"
 #include "objectness_segmentation/common/status.hpp"
+#include "ros/node_settings.hpp"
 
 namespace objectness_segmentation {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cloud_output.hpp"
+#include "ros/cloud_output.hpp"
 
 #include <cstring>
 
-#include "objectness_segmentation/common/color_palette.hpp"
+#include "common/color_palette.hpp"
 #include "objectness_segmentation/ros/output_conversions.hpp"
 
 namespace objectness_segmentation {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
-#include "cloud_output.hpp"
-#include "geometry_output.hpp"
-#include "marker_parts.hpp"
-#include "objectness_segmentation/integral/cue_points.hpp"
-#include "objectness_segmentation/integral/cue_volumes.hpp"
-#include "objectness_segmentation/ros/debug_conversions.hpp"
+#include "integral/cue_points.hpp"
+#include "integral/cue_volumes.hpp"
+#include "ros/cloud_output.hpp"
+#include "ros/debug_conversions.hpp"
+#include "ros/geometry_output.hpp"
+#include "ros/marker_parts.hpp"
 
 namespace objectness_segmentation {
 namespace {

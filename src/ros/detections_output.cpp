@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Built only where vision_msgs is found.
-#include "detections_output.hpp"
+#include "ros/detections_output.hpp"
 
 #include <vision_msgs/Detection3DArray.h>
 
-#include "geometry_output.hpp"
 #include "objectness_segmentation/ros/output_conversions.hpp"
 #include "objectness_segmentation/ros/topics.hpp"
+#include "ros/geometry_output.hpp"
 
 namespace objectness_segmentation {
 

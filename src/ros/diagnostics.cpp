@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/ros/diagnostics.hpp"
+#include "ros/diagnostics.hpp"
 
 #include <diagnostic_msgs/DiagnosticStatus.h>
 
 #include <sstream>
 #include <string>
 
-#include "frame_names.hpp"
+#include "ros/frame_names.hpp"
 
 namespace objectness_segmentation {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "frame_processor.hpp"
+#include "ros/frame_processor.hpp"
 
 #include <chrono>
 #include <utility>
 
-#include "objectness_segmentation/common/frame_memory.hpp"
+#include "common/frame_memory.hpp"
 
 namespace objectness_segmentation {
 namespace {

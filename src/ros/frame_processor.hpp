@@ -4,8 +4,8 @@
 #include <atomic>
 #include <optional>
 
-#include "camera_poses.hpp"
 #include "objectness_segmentation/ros/segment_messages.hpp"
+#include "ros/camera_poses.hpp"
 
 namespace objectness_segmentation {
 

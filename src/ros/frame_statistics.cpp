@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/ros/frame_statistics.hpp"
+#include "ros/frame_statistics.hpp"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include <std_msgs/ColorRGBA.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include "objectness_segmentation/common/color_palette.hpp"
+#include "common/color_palette.hpp"
 
 namespace objectness_segmentation {
 

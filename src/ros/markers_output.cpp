@@ -2,9 +2,9 @@
 #include <cstdio>
 #include <string>
 
-#include "geometry_output.hpp"
-#include "marker_parts.hpp"
 #include "objectness_segmentation/ros/output_conversions.hpp"
+#include "ros/geometry_output.hpp"
+#include "ros/marker_parts.hpp"
 
 namespace objectness_segmentation {
 namespace {

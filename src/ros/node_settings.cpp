@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "node_settings.hpp"
+#include "ros/node_settings.hpp"
 
 #include <sstream>
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "objectness_segmentation/ros/synchronized_inputs.hpp"
 #include "objectness_segmentation/sequence.hpp"
+#include "ros/synchronized_inputs.hpp"
 
 namespace objectness_segmentation {
 

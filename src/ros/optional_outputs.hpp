@@ -10,10 +10,10 @@
 #include "objectness_segmentation/ros/segment_messages.hpp"
 
 #ifdef OBJECTNESS_WITH_VISION_MSGS
-#include "detections_output.hpp"
+#include "ros/detections_output.hpp"
 #endif
 #ifdef OBJECTNESS_WITH_MOVEIT_MSGS
-#include "planning_scene_output.hpp"
+#include "ros/planning_scene_output.hpp"
 #endif
 
 namespace objectness_segmentation {

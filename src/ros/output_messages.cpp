@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/ros/output_messages.hpp"
+#include "ros/output_messages.hpp"
 
 #include <boost/make_shared.hpp>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Built only where moveit_msgs is found.
-#include "planning_scene_output.hpp"
+#include "ros/planning_scene_output.hpp"
 
 #include <moveit_msgs/PlanningScene.h>
 
-#include "geometry_output.hpp"
 #include "objectness_segmentation/ros/output_conversions.hpp"
 #include "objectness_segmentation/ros/topics.hpp"
+#include "ros/geometry_output.hpp"
 
 namespace objectness_segmentation {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "geometry_output.hpp"
 #include "objectness_segmentation/ros/output_conversions.hpp"
-#include "table_output.hpp"
+#include "ros/geometry_output.hpp"
+#include "ros/table_output.hpp"
 
 namespace objectness_segmentation {
 

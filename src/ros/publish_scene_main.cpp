@@ -7,8 +7,8 @@
 #include <string>
 
 #include "objectness_segmentation/io/input_file.hpp"
-#include "objectness_segmentation/ros/scene_messages.hpp"
 #include "objectness_segmentation/ros/topics.hpp"
+#include "ros/scene_messages.hpp"
 
 int main(int argc, char** argv) {
   using namespace objectness_segmentation;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "recorded_cameras.hpp"
+#include "ros/recorded_cameras.hpp"
 
 #include <cmath>
 #include <iterator>
 
-#include "frame_names.hpp"
+#include "ros/frame_names.hpp"
 
 namespace objectness_segmentation {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "nearest_color.hpp"
-#include "read_message.hpp"
+#include "ros/nearest_color.hpp"
+#include "ros/read_message.hpp"
 
 namespace objectness_segmentation {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "result_publishers.hpp"
+#include "ros/result_publishers.hpp"
 
 #include <objectness_segmentation/StageTimes.h>
 
 #include <boost/make_shared.hpp>
 
-#include "objectness_segmentation/ros/debug_conversions.hpp"
 #include "objectness_segmentation/ros/output_conversions.hpp"
 #include "objectness_segmentation/ros/topics.hpp"
+#include "ros/debug_conversions.hpp"
 
 namespace objectness_segmentation {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "frame_processor.hpp"
-#include "objectness_segmentation/ros/output_messages.hpp"
-#include "optional_outputs.hpp"
+#include "ros/frame_processor.hpp"
+#include "ros/optional_outputs.hpp"
+#include "ros/output_messages.hpp"
 
 namespace objectness_segmentation {
 

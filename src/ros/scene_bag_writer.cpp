@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/ros/scene_bag_writer.hpp"
+#include "ros/scene_bag_writer.hpp"
 
 #include <objectness_segmentation/SegmentedObjectArray.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include "cloud_output.hpp"
-#include "geometry_output.hpp"
-#include "objectness_segmentation/ros/scene_messages.hpp"
 #include "objectness_segmentation/ros/topics.hpp"
+#include "ros/cloud_output.hpp"
+#include "ros/geometry_output.hpp"
+#include "ros/scene_messages.hpp"
 
 namespace objectness_segmentation {
 namespace {

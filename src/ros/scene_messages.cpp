@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/ros/scene_messages.hpp"
+#include "ros/scene_messages.hpp"
 
 #include <sensor_msgs/distortion_models.h>
 #include <sensor_msgs/fill_image.h>
@@ -7,8 +7,8 @@
 
 #include <numeric>
 
-#include "cloud_output.hpp"
-#include "geometry_output.hpp"
+#include "ros/cloud_output.hpp"
+#include "ros/geometry_output.hpp"
 
 namespace objectness_segmentation {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/ros/segment_bag.hpp"
+#include "ros/segment_bag.hpp"
 
 #include <chrono>
 
-#include "objectness_segmentation/ros/output_messages.hpp"
 #include "objectness_segmentation/ros/topics.hpp"
+#include "ros/output_messages.hpp"
 
 namespace objectness_segmentation {
 namespace {

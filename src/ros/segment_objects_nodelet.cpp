@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "segment_objects_nodelet.hpp"
+#include "ros/segment_objects_nodelet.hpp"
 
 #include <chrono>
 #include <functional>
 #include <pluginlib/class_list_macros.hpp>
 #include <utility>
 
-#include "guarded.hpp"
 #include "objectness_segmentation/io/config_yaml.hpp"
-#include "objectness_segmentation/ros/diagnostics.hpp"
 #include "objectness_segmentation/ros/output_conversions.hpp"
 #include "objectness_segmentation/ros/params.hpp"
-#include "public_names.hpp"
+#include "ros/diagnostics.hpp"
+#include "ros/guarded.hpp"
+#include "ros/public_names.hpp"
 
 namespace objectness_segmentation {
 namespace {

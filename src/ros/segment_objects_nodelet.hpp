@@ -13,15 +13,15 @@
 #include <optional>
 #include <string>
 
-#include "frame_processor.hpp"
-#include "node_settings.hpp"
-#include "objectness_segmentation/ros/frame_statistics.hpp"
 #include "objectness_segmentation/ros/latest_only_worker.hpp"
-#include "objectness_segmentation/ros/request_desk.hpp"
-#include "objectness_segmentation/ros/synchronized_inputs.hpp"
-#include "result_publishers.hpp"
-#include "segment_service.hpp"
-#include "throttled_problems.hpp"
+#include "ros/frame_processor.hpp"
+#include "ros/frame_statistics.hpp"
+#include "ros/node_settings.hpp"
+#include "ros/request_desk.hpp"
+#include "ros/result_publishers.hpp"
+#include "ros/segment_service.hpp"
+#include "ros/synchronized_inputs.hpp"
+#include "ros/throttled_problems.hpp"
 
 namespace objectness_segmentation {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "segment_service.hpp"
+#include "ros/segment_service.hpp"
 
 #include <algorithm>
 #include <chrono>

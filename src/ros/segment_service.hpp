@@ -10,7 +10,7 @@
 #include <functional>
 #include <string>
 
-#include "objectness_segmentation/ros/request_desk.hpp"
+#include "ros/request_desk.hpp"
 
 namespace objectness_segmentation {
 

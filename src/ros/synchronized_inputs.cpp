@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/ros/synchronized_inputs.hpp"
+#include "ros/synchronized_inputs.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "camera_partners.hpp"
-#include "guarded.hpp"
-#include "nearest_color.hpp"
-#include "objectness_segmentation/ros/diagnostics.hpp"
 #include "objectness_segmentation/ros/topics.hpp"
-#include "public_names.hpp"
+#include "ros/camera_partners.hpp"
+#include "ros/diagnostics.hpp"
+#include "ros/guarded.hpp"
+#include "ros/nearest_color.hpp"
+#include "ros/public_names.hpp"
 
 namespace objectness_segmentation {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "table_output.hpp"
+#include "ros/table_output.hpp"
 
-#include "geometry_output.hpp"
 #include "objectness_segmentation/ros/output_conversions.hpp"
+#include "ros/geometry_output.hpp"
 
 namespace objectness_segmentation {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bridged_gaps.hpp"
+#include "scene/bridged_gaps.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "image_limits.hpp"
+#include "scene/image_limits.hpp"
 
 namespace objectness {
 namespace {

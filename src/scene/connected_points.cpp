@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "connected_points.hpp"
+#include "scene/connected_points.hpp"
 
 #include <algorithm>
 
-#include "objectness_segmentation/common/row_bands.hpp"
-#include "unions.hpp"
+#include "common/row_bands.hpp"
+#include "scene/unions.hpp"
 
 namespace objectness {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "container_walls.hpp"
+#include "scene/container_walls.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-#include "../common/share_below.hpp"
-#include "objectness_segmentation/common/angles.hpp"
+#include "common/angles.hpp"
+#include "common/share_below.hpp"
 
 namespace objectness {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "containers.hpp"
+#include "scene/containers.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
-#include "../common/share_below.hpp"
-#include "container_walls.hpp"
-#include "mask_parts.hpp"
-#include "objectness_segmentation/common/angles.hpp"
+#include "common/angles.hpp"
+#include "common/share_below.hpp"
+#include "scene/container_walls.hpp"
+#include "scene/mask_parts.hpp"
 
 namespace objectness {
 namespace {

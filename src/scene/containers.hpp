@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "height_map.hpp"
+#include "scene/height_map.hpp"
 
 namespace objectness {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "depth_jump_kernel.hpp"
+#include "scene/depth_jump_kernel.hpp"
 
 #include <cstring>
 
-#include "objectness_segmentation/common/target_clones.hpp"
+#include "common/target_clones.hpp"
 
 namespace objectness {
 namespace {

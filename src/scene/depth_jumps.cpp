@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "depth_jumps.hpp"
+#include "scene/depth_jumps.hpp"
 
 #include <algorithm>
 
-#include "depth_jump_kernel.hpp"
-#include "objectness_segmentation/common/row_bands.hpp"
+#include "common/row_bands.hpp"
+#include "scene/depth_jump_kernel.hpp"
 
 namespace objectness {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "depth_noise.hpp"
+#include "scene/depth_noise.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "objectness_segmentation/common/parallel.hpp"
+#include "common/parallel.hpp"
 
 namespace objectness {
 namespace {

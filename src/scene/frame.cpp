@@ -6,10 +6,10 @@
 #include <limits>
 #include <sstream>
 
-#include "bridged_gaps.hpp"
-#include "frame_axes.hpp"
-#include "lens.hpp"
-#include "organize.hpp"
+#include "scene/bridged_gaps.hpp"
+#include "scene/frame_axes.hpp"
+#include "scene/lens.hpp"
+#include "scene/organize.hpp"
 
 namespace objectness {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "frame_axes.hpp"
+#include "scene/frame_axes.hpp"
 
 namespace objectness {
 

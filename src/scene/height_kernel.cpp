@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "height_kernel.hpp"
+#include "scene/height_kernel.hpp"
 
 #include <limits>
 
-#include "objectness_segmentation/common/target_clones.hpp"
+#include "common/target_clones.hpp"
 
 namespace objectness {
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "height_map.hpp"
+#include "scene/height_map.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-#include "height_kernel.hpp"
-#include "mask_parts.hpp"
-#include "objectness_segmentation/common/row_bands.hpp"
-#include "surface_samples.hpp"
+#include "common/row_bands.hpp"
+#include "scene/height_kernel.hpp"
+#include "scene/mask_parts.hpp"
+#include "scene/surface_samples.hpp"
 
 namespace objectness {
 namespace {

@@ -4,8 +4,8 @@
 #include <opencv2/imgproc.hpp>
 #include <set>
 
-#include "mask_parts.hpp"
-#include "standing_things.hpp"
+#include "scene/mask_parts.hpp"
+#include "scene/standing_things.hpp"
 
 namespace objectness {
 namespace {

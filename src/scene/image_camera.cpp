@@ -6,7 +6,7 @@
 #include <limits>
 #include <sstream>
 
-#include "lens.hpp"
+#include "scene/lens.hpp"
 
 namespace objectness {
 namespace {

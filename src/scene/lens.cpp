@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lens.hpp"
+#include "scene/lens.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "low_things.hpp"
+#include "scene/low_things.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "mask_parts.hpp"
-#include "objectness_segmentation/common/row_bands.hpp"
+#include "common/row_bands.hpp"
+#include "scene/mask_parts.hpp"
 
 namespace objectness {
 namespace {

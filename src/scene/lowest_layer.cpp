@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lowest_layer.hpp"
+#include "scene/lowest_layer.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "table_evidence.hpp"
+#include "scene/table_evidence.hpp"
 
 namespace objectness {
 

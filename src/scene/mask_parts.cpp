@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mask_parts.hpp"
+#include "scene/mask_parts.hpp"
 
 #include <cstdint>
 #include <cstring>
 
-#include "unions.hpp"
+#include "scene/unions.hpp"
 
 namespace objectness {
 namespace {

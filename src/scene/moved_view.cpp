@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "moved_view.hpp"
+#include "scene/moved_view.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

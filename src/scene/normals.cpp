@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <limits>
 
-#include "depth_jumps.hpp"
-#include "integral_rows.hpp"
-#include "normals_pcl.hpp"
-#include "objectness_segmentation/common/row_bands.hpp"
-#include "plane_fit_kernel.hpp"
+#include "common/row_bands.hpp"
+#include "scene/depth_jumps.hpp"
+#include "scene/integral_rows.hpp"
+#include "scene/normals_pcl.hpp"
+#include "scene/plane_fit_kernel.hpp"
 
 namespace objectness {
 namespace {

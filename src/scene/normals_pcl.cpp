@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "normals_pcl.hpp"
+#include "scene/normals_pcl.hpp"
 
 #include <pcl/features/integral_image_normal.h>
 #include <pcl/point_cloud.h>

@@ -3,12 +3,12 @@
 
 #include <cmath>
 
-#include "containers.hpp"
-#include "height_map.hpp"
-#include "low_things.hpp"
-#include "objectness_segmentation/common/parallel.hpp"
-#include "standing_things.hpp"
-#include "wall_patches.hpp"
+#include "common/parallel.hpp"
+#include "scene/containers.hpp"
+#include "scene/height_map.hpp"
+#include "scene/low_things.hpp"
+#include "scene/standing_things.hpp"
+#include "scene/wall_patches.hpp"
 
 namespace objectness {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "organize.hpp"
+#include "scene/organize.hpp"
 
 #include <limits>
 
-#include "view_check.hpp"
+#include "scene/view_check.hpp"
 
 namespace objectness {
 

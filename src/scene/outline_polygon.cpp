@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "outline_polygon.hpp"
+#include "scene/outline_polygon.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

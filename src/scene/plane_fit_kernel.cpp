@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plane_fit_kernel.hpp"
+#include "scene/plane_fit_kernel.hpp"
 
 #include <cmath>
 
-#include "objectness_segmentation/common/target_clones.hpp"
+#include "common/target_clones.hpp"
 
 namespace objectness {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "surface_samples.hpp"
+#include "scene/surface_samples.hpp"
 
 namespace objectness {
 

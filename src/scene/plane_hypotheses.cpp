@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plane_hypotheses.hpp"
+#include "scene/plane_hypotheses.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 
-#include "objectness_segmentation/common/parallel.hpp"
-#include "plane_samples.hpp"
+#include "common/parallel.hpp"
+#include "scene/plane_samples.hpp"
 
 namespace objectness {
 namespace {

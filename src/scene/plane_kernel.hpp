@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "plane_sums.hpp"
+#include "scene/plane_sums.hpp"
 
 namespace objectness {
 

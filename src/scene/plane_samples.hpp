@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "plane_kernel.hpp"
-#include "surface_samples.hpp"
+#include "scene/plane_kernel.hpp"
+#include "scene/surface_samples.hpp"
 
 namespace objectness {
 

@@ -4,9 +4,9 @@
 #include <sstream>
 #include <vector>
 
-#include "frame_axes.hpp"
-#include "moved_view.hpp"
 #include "objectness_segmentation/scene/frame.hpp"
+#include "scene/frame_axes.hpp"
+#include "scene/moved_view.hpp"
 
 namespace objectness {
 namespace {

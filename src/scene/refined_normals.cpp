@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/scene/refined_normals.hpp"
+#include "scene/refined_normals.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "plane_grid.hpp"
-#include "sampled_values.hpp"
+#include "scene/plane_grid.hpp"
+#include "scene/sampled_values.hpp"
 
 namespace objectness {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/scene/resolution.hpp"
+#include "scene/resolution.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "objectness_segmentation/common/row_bands.hpp"
+#include "common/row_bands.hpp"
 
 namespace objectness {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "objectness_segmentation/common/parallel.hpp"
+#include "common/parallel.hpp"
 
 namespace objectness {
 

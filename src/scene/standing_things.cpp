@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "standing_things.hpp"
+#include "scene/standing_things.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "connected_points.hpp"
-#include "objectness_segmentation/common/row_bands.hpp"
+#include "common/row_bands.hpp"
+#include "scene/connected_points.hpp"
 
 namespace objectness {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/scene/surface_check.hpp"
+#include "scene/surface_check.hpp"
 
 #include <sstream>
 

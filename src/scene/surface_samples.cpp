@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "surface_samples.hpp"
+#include "scene/surface_samples.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-#include "objectness_segmentation/common/row_bands.hpp"
+#include "common/row_bands.hpp"
 
 namespace objectness {
 

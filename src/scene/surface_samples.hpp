@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "objectness_segmentation/scene/table.hpp"
-#include "plane_sums.hpp"
+#include "scene/plane_sums.hpp"
 
 namespace objectness {
 

@@ -6,13 +6,13 @@
 #include <opencv2/core.hpp>
 #include <sstream>
 
-#include "depth_noise.hpp"
-#include "lowest_layer.hpp"
-#include "objectness_segmentation/common/parallel.hpp"
-#include "plane_grid.hpp"
-#include "plane_hypotheses.hpp"
-#include "table_choice.hpp"
-#include "table_outline.hpp"
+#include "common/parallel.hpp"
+#include "scene/depth_noise.hpp"
+#include "scene/lowest_layer.hpp"
+#include "scene/plane_grid.hpp"
+#include "scene/plane_hypotheses.hpp"
+#include "scene/table_choice.hpp"
+#include "scene/table_outline.hpp"
 
 namespace objectness {
 namespace {

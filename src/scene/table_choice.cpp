@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "table_choice.hpp"
+#include "scene/table_choice.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "objectness_segmentation/common/parallel.hpp"
+#include "common/parallel.hpp"
 
 namespace objectness {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "table_evidence.hpp"
+#include "scene/table_evidence.hpp"
 
 namespace objectness {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "table_evidence.hpp"
+#include "scene/table_evidence.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "connected_points.hpp"
+#include "scene/connected_points.hpp"
 
 namespace objectness {
 namespace {

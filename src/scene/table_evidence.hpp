@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "plane_grid.hpp"
+#include "scene/plane_grid.hpp"
 
 namespace objectness {
 

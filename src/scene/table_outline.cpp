@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "table_outline.hpp"
+#include "scene/table_outline.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
-#include "outline_polygon.hpp"
-#include "plane_grid.hpp"
-#include "surface_samples.hpp"
+#include "scene/outline_polygon.hpp"
+#include "scene/plane_grid.hpp"
+#include "scene/surface_samples.hpp"
 
 namespace objectness {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "view_check.hpp"
+#include "scene/view_check.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <sstream>
 
-#include "frame_axes.hpp"
+#include "scene/frame_axes.hpp"
 
 namespace objectness {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wall_patches.hpp"
+#include "scene/wall_patches.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "mask_parts.hpp"
-#include "objectness_segmentation/common/row_bands.hpp"
-#include "plane_grid.hpp"
+#include "common/row_bands.hpp"
+#include "scene/mask_parts.hpp"
+#include "scene/plane_grid.hpp"
 
 namespace objectness {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "height_map.hpp"
+#include "scene/height_map.hpp"
 
 namespace objectness {
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/search/angle_search.hpp"
+#include "search/angle_search.hpp"
 
 #include <algorithm>
 #include <cstdio>
 #include <memory>
 
-#include "objectness_segmentation/common/parallel.hpp"
-#include "objectness_segmentation/common/spares.hpp"
-#include "objectness_segmentation/integral/cue_volumes.hpp"
-#include "objectness_segmentation/integral/voxel_marker.hpp"
-#include "objectness_segmentation/search/search.hpp"
+#include "common/parallel.hpp"
+#include "common/spares.hpp"
+#include "integral/cue_volumes.hpp"
+#include "integral/voxel_marker.hpp"
+#include "search/search.hpp"
 
 namespace objectness {
 namespace {

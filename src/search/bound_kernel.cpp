@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bound_kernel.hpp"
+#include "search/bound_kernel.hpp"
 
-#include "lanes.hpp"
-#include "objectness_segmentation/common/target_clones.hpp"
+#include "common/target_clones.hpp"
+#include "search/lanes.hpp"
 
 namespace objectness {
 namespace {

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <numeric>
 
-#include "footprint_scorer.hpp"
-#include "node_bound.hpp"
-#include "objectness_segmentation/search/search.hpp"
+#include "search/footprint_scorer.hpp"
+#include "search/node_bound.hpp"
+#include "search/search.hpp"
 
 namespace objectness {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "bound_kernel.hpp"
-#include "objectness_segmentation/search/box_sampler.hpp"
+#include "search/bound_kernel.hpp"
+#include "search/box_sampler.hpp"
 
 namespace objectness {
 

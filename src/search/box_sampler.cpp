@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/search/box_sampler.hpp"
+#include "search/box_sampler.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "objectness_segmentation/common/angles.hpp"
+#include "common/angles.hpp"
 
 namespace objectness {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "bound_kernel.hpp"
-#include "objectness_segmentation/integral/cue_volumes.hpp"
+#include "integral/cue_volumes.hpp"
+#include "search/bound_kernel.hpp"
 
 namespace objectness {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "footprint_scorer.hpp"
+#include "search/footprint_scorer.hpp"
 
 #include <algorithm>
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "column_table.hpp"
-#include "objectness_segmentation/search/search.hpp"
-#include "score_kernel.hpp"
+#include "search/column_table.hpp"
+#include "search/score_kernel.hpp"
+#include "search/search.hpp"
 
 namespace objectness {
 

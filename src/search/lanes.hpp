@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "bound_kernel.hpp"
+#include "search/bound_kernel.hpp"
 
 namespace objectness {
 

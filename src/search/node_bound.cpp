@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "node_bound.hpp"
+#include "search/node_bound.hpp"
 
 #include <algorithm>
 #include <cmath>

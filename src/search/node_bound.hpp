@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "box_ranges.hpp"
-#include "column_table.hpp"
-#include "objectness_segmentation/search/search.hpp"
+#include "search/box_ranges.hpp"
+#include "search/column_table.hpp"
+#include "search/search.hpp"
 
 namespace objectness {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "objectness_segmentation/search/search.hpp"
+#include "search/search.hpp"
 
 namespace objectness {
 

@@ -4,8 +4,8 @@
 #include <functional>
 #include <utility>
 
-#include "objectness_segmentation/common/parallel.hpp"
-#include "objectness_segmentation/search/search.hpp"
+#include "common/parallel.hpp"
+#include "search/search.hpp"
 
 namespace objectness {
 namespace {

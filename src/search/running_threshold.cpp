@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/search/running_threshold.hpp"
+#include "search/running_threshold.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "bound_kernel.hpp"
+#include "search/bound_kernel.hpp"
 
 namespace objectness {
 

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "column_table.hpp"
-#include "objectness_segmentation/search/search.hpp"
-#include "scan_kernel.hpp"
+#include "search/column_table.hpp"
+#include "search/scan_kernel.hpp"
+#include "search/search.hpp"
 
 namespace objectness {
 namespace {

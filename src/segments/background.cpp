@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/segments/background.hpp"
+#include "segments/background.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
-#include "../common/share_below.hpp"
+#include "common/share_below.hpp"
 
 namespace objectness {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "box_axes.hpp"
+#include "segments/box_axes.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "leaning_slab.hpp"
+#include "segments/leaning_slab.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
-#include "../common/share_below.hpp"
+#include "common/share_below.hpp"
 
 namespace objectness {
 namespace {

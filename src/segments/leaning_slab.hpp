@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "objectness_segmentation/objectness/box.hpp"
-#include "seen_thing.hpp"
+#include "segments/seen_thing.hpp"
 
 namespace objectness {
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "seen_thing.hpp"
+#include "segments/seen_thing.hpp"
 
 namespace objectness {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "round_fit.hpp"
+#include "segments/round_fit.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "../common/share_below.hpp"
-#include "objectness_segmentation/common/angles.hpp"
+#include "common/angles.hpp"
+#include "common/share_below.hpp"
 
 namespace objectness {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "seen_thing.hpp"
+#include "segments/seen_thing.hpp"
 
 namespace objectness {
 

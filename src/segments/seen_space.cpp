@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "seen_space.hpp"
+#include "segments/seen_space.hpp"
 
 #include <cmath>
 

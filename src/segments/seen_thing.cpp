@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "seen_thing.hpp"
+#include "segments/seen_thing.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "../common/share_below.hpp"
+#include "common/share_below.hpp"
 
 namespace objectness {
 namespace {

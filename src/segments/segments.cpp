@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/segments/segments.hpp"
+#include "segments/segments.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
-#include "objectness_segmentation/common/parallel.hpp"
-#include "objectness_segmentation/segments/geodesic_assignment.hpp"
+#include "common/parallel.hpp"
+#include "segments/geodesic_assignment.hpp"
 
 namespace objectness {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/segments/supports.hpp"
+#include "segments/supports.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-#include "../common/share_below.hpp"
-#include "../scene/mask_parts.hpp"
+#include "common/share_below.hpp"
+#include "scene/mask_parts.hpp"
 
 namespace objectness {
 namespace {

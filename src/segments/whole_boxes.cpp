@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/segments/whole_boxes.hpp"
+#include "segments/whole_boxes.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "../common/share_below.hpp"
-#include "box_axes.hpp"
-#include "leaning_slab.hpp"
-#include "objectness_segmentation/common/angles.hpp"
-#include "objectness_segmentation/common/parallel.hpp"
-#include "objectness_segmentation/segments/supports.hpp"
-#include "plan_rectangle.hpp"
-#include "round_fit.hpp"
-#include "seen_space.hpp"
+#include "common/angles.hpp"
+#include "common/parallel.hpp"
+#include "common/share_below.hpp"
+#include "segments/box_axes.hpp"
+#include "segments/leaning_slab.hpp"
+#include "segments/plan_rectangle.hpp"
+#include "segments/round_fit.hpp"
+#include "segments/seen_space.hpp"
+#include "segments/supports.hpp"
 
 namespace objectness {
 namespace {

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "objectness_segmentation/selection/global_selection.hpp"
+#include "selection/global_selection.hpp"
 
 namespace objectness {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bit_cost.hpp"
+#include "selection/bit_cost.hpp"
 
 #include <algorithm>
 
-#include "cost_change.hpp"
+#include "selection/cost_change.hpp"
 
 namespace objectness {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "objectness_segmentation/selection/bit_selection.hpp"
-#include "set_kernel.hpp"
+#include "selection/bit_selection.hpp"
+#include "selection/set_kernel.hpp"
 
 namespace objectness {
 

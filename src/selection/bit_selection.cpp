@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/selection/bit_selection.hpp"
+#include "selection/bit_selection.hpp"
 
-#include "annealer.hpp"
-#include "bit_cost.hpp"
+#include "selection/annealer.hpp"
+#include "selection/bit_cost.hpp"
 
 namespace objectness {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/selection/box_filter.hpp"
+#include "selection/box_filter.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "objectness_segmentation/selection/cell_key.hpp"
+#include "selection/cell_key.hpp"
 
 namespace objectness {
 namespace {

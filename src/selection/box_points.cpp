@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "box_points.hpp"
+#include "selection/box_points.hpp"
 
 #include <cmath>
 
-#include "set_kernel.hpp"
+#include "selection/set_kernel.hpp"
 
 namespace objectness {
 namespace {

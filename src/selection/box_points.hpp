@@ -4,9 +4,9 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "objectness_segmentation/integral/grid.hpp"
+#include "integral/grid.hpp"
 #include "objectness_segmentation/objectness/box.hpp"
-#include "objectness_segmentation/selection/point_bits.hpp"
+#include "selection/point_bits.hpp"
 
 namespace objectness {
 

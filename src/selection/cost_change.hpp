@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "objectness_segmentation/selection/global_cost.hpp"
+#include "selection/global_cost.hpp"
 
 namespace objectness {
 

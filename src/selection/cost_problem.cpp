@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/selection/cost_problem.hpp"
+#include "selection/cost_problem.hpp"
 
 #include <algorithm>
 #include <unordered_map>

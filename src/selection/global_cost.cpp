@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/selection/global_cost.hpp"
+#include "selection/global_cost.hpp"
 
 #include <map>
 
-#include "cost_change.hpp"
+#include "selection/cost_change.hpp"
 
 namespace objectness {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/selection/global_selection.hpp"
+#include "selection/global_selection.hpp"
 
-#include "annealer.hpp"
-#include "objectness_segmentation/selection/point_overlap.hpp"
+#include "selection/annealer.hpp"
+#include "selection/point_overlap.hpp"
 
 namespace objectness {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/selection/hypotheses.hpp"
+#include "selection/hypotheses.hpp"
 
 #include <cmath>
 #include <optional>
 
-#include "objectness_segmentation/common/parallel.hpp"
-#include "objectness_segmentation/selection/scene_points.hpp"
-#include "suppression.hpp"
+#include "common/parallel.hpp"
+#include "selection/scene_points.hpp"
+#include "selection/suppression.hpp"
 
 namespace objectness {
 

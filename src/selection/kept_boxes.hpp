@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "set_kernel.hpp"
-#include "suppression.hpp"
+#include "selection/set_kernel.hpp"
+#include "selection/suppression.hpp"
 
 namespace objectness {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "leader_clusters.hpp"
+#include "selection/leader_clusters.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/selection/point_overlap.hpp"
+#include "selection/point_overlap.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "objectness_segmentation/selection/bit_kernel.hpp"
+#include "selection/bit_kernel.hpp"
 
 namespace objectness {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/selection/scene_points.hpp"
+#include "selection/scene_points.hpp"
 
 #include <cstdint>
 #include <unordered_set>
 
-#include "objectness_segmentation/selection/cell_key.hpp"
+#include "selection/cell_key.hpp"
 
 namespace objectness {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/selection/set_packing.hpp"
+#include "selection/set_packing.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "suppression.hpp"
+#include "selection/suppression.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "kept_boxes.hpp"
-#include "leader_clusters.hpp"
-#include "objectness_segmentation/common/row_bands.hpp"
-#include "objectness_segmentation/common/spares.hpp"
+#include "common/row_bands.hpp"
+#include "common/spares.hpp"
+#include "selection/kept_boxes.hpp"
+#include "selection/leader_clusters.hpp"
 
 namespace objectness {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "box_points.hpp"
-#include "objectness_segmentation/selection/box_filter.hpp"
+#include "selection/box_filter.hpp"
+#include "selection/box_points.hpp"
 
 namespace objectness {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "arrangement.hpp"
+#include "sim/arrangement.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "objectness_segmentation/common/angles.hpp"
+#include "common/angles.hpp"
 
 namespace objectness::sim {
 namespace {

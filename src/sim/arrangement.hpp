@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "objectness_segmentation/sim/levels.hpp"
-#include "objectness_segmentation/sim/room.hpp"
-#include "viewpoint.hpp"
+#include "sim/levels.hpp"
+#include "sim/room.hpp"
+#include "sim/viewpoint.hpp"
 
 namespace objectness::sim {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/sim/bodies.hpp"
+#include "sim/bodies.hpp"
 
 namespace objectness::sim {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "convex_bound.hpp"
+#include "sim/convex_bound.hpp"
 
 #include <algorithm>
 #include <cmath>

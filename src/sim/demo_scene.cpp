@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/sim/demo_scene.hpp"
+#include "sim/demo_scene.hpp"
 
-#include "objectness_segmentation/common/angles.hpp"
-#include "objectness_segmentation/common/true_labels.hpp"
-#include "objectness_segmentation/sim/profiles.hpp"
-#include "objectness_segmentation/sim/random.hpp"
+#include "common/angles.hpp"
+#include "common/true_labels.hpp"
+#include "sim/profiles.hpp"
+#include "sim/random.hpp"
 
 namespace objectness::sim {
 namespace {

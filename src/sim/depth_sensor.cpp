@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/sim/depth_sensor.hpp"
+#include "sim/depth_sensor.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "objectness_segmentation/common/angles.hpp"
-#include "objectness_segmentation/common/parallel.hpp"
-#include "objectness_segmentation/sim/random.hpp"
-#include "stereo_matching.hpp"
+#include "common/angles.hpp"
+#include "common/parallel.hpp"
+#include "sim/random.hpp"
+#include "sim/stereo_matching.hpp"
 
 namespace objectness::sim {
 namespace {

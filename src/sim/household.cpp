@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "household.hpp"
+#include "sim/household.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "objectness_segmentation/sim/profiles.hpp"
+#include "sim/profiles.hpp"
 
 namespace objectness::sim {
 namespace {

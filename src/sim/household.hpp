@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "objectness_segmentation/sim/random.hpp"
-#include "objectness_segmentation/sim/shapes.hpp"
+#include "sim/random.hpp"
+#include "sim/shapes.hpp"
 
 namespace objectness::sim {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "objectness_segmentation/sim/shapes.hpp"
+#include "sim/shapes.hpp"
 
 namespace objectness::sim {
 namespace {

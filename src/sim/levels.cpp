@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/sim/levels.hpp"
+#include "sim/levels.hpp"
 
 #include <algorithm>
 

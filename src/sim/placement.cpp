@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "placement.hpp"
+#include "sim/placement.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "objectness_segmentation/common/angles.hpp"
+#include "common/angles.hpp"
 
 namespace objectness::sim {
 namespace {

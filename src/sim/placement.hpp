@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "convex_bound.hpp"
-#include "household.hpp"
+#include "sim/convex_bound.hpp"
+#include "sim/household.hpp"
 
 namespace objectness::sim {
 

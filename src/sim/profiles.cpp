@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/sim/profiles.hpp"
+#include "sim/profiles.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "objectness_segmentation/common/angles.hpp"
+#include "common/angles.hpp"
 
 namespace objectness::sim {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/sim/room.hpp"
+#include "sim/room.hpp"
 
 #include <cmath>
 #include <sstream>
 
-#include "objectness_segmentation/sim/profiles.hpp"
+#include "sim/profiles.hpp"
 
 namespace objectness::sim {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/sim/scene_generator.hpp"
+#include "sim/scene_generator.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "arrangement.hpp"
-#include "objectness_segmentation/common/true_labels.hpp"
-#include "objectness_segmentation/sim/surface_view.hpp"
+#include "common/true_labels.hpp"
+#include "sim/arrangement.hpp"
+#include "sim/surface_view.hpp"
 
 namespace objectness::sim {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/sim/shapes.hpp"
+#include "sim/shapes.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/sim/simulated_frame.hpp"
+#include "sim/simulated_frame.hpp"
 
 #include <opencv2/imgproc.hpp>
 
-#include "objectness_segmentation/sim/random.hpp"
+#include "sim/random.hpp"
 
 namespace objectness::sim {
 namespace {

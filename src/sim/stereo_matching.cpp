@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "stereo_matching.hpp"
+#include "sim/stereo_matching.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "objectness_segmentation/common/parallel.hpp"
+#include "common/parallel.hpp"
 
 namespace objectness::sim {
 namespace {

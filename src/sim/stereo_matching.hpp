@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "objectness_segmentation/sim/depth_sensor.hpp"
+#include "sim/depth_sensor.hpp"
 
 namespace objectness::sim {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objectness_segmentation/sim/surface_view.hpp"
+#include "sim/surface_view.hpp"
 
 #include <algorithm>
 
-#include "objectness_segmentation/common/parallel.hpp"
+#include "common/parallel.hpp"
 
 namespace objectness::sim {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "../io/file_access.hpp"
-#include "objectness_segmentation/sim/simulated_frame.hpp"
+#include "io/file_access.hpp"
+#include "sim/simulated_frame.hpp"
 
 namespace objectness::sim {
 namespace {

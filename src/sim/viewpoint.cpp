@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "viewpoint.hpp"
+#include "sim/viewpoint.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "objectness_segmentation/common/angles.hpp"
-#include "objectness_segmentation/sim/scene.hpp"
-#include "objectness_segmentation/sim/scene_generator.hpp"
+#include "common/angles.hpp"
+#include "sim/scene.hpp"
+#include "sim/scene_generator.hpp"
 
 namespace objectness::sim {
 namespace {

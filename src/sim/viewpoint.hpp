@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "objectness_segmentation/scene/camera.hpp"
-#include "placement.hpp"
+#include "sim/placement.hpp"
 
 namespace objectness::sim {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "command_line.hpp"
+#include "tools/command_line.hpp"
 
 namespace objectness {
 

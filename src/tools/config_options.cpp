@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "config_options.hpp"
+#include "tools/config_options.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -9,15 +9,15 @@
 #include <map>
 #include <opencv2/core/utils/logger.hpp>
 
-#include "evaluate_options.hpp"
-#include "evaluate_progress.hpp"
-#include "objectness_segmentation/common/frame_memory.hpp"
-#include "objectness_segmentation/evaluation/box_tables.hpp"
-#include "objectness_segmentation/evaluation/camera_tables.hpp"
-#include "objectness_segmentation/evaluation/experiment.hpp"
-#include "objectness_segmentation/evaluation/run.hpp"
-#include "objectness_segmentation/evaluation/stability.hpp"
-#include "objectness_segmentation/evaluation/tables.hpp"
+#include "common/frame_memory.hpp"
+#include "evaluation/box_tables.hpp"
+#include "evaluation/camera_tables.hpp"
+#include "evaluation/experiment.hpp"
+#include "evaluation/run.hpp"
+#include "evaluation/stability.hpp"
+#include "evaluation/tables.hpp"
+#include "tools/evaluate_options.hpp"
+#include "tools/evaluate_progress.hpp"
 
 namespace {
 

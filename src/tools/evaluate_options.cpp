@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "evaluate_options.hpp"
+#include "tools/evaluate_options.hpp"
 
 #include <algorithm>
 #include <boost/program_options.hpp>
 #include <cstdio>
 #include <sstream>
 
-#include "command_line.hpp"
-#include "config_options.hpp"
-#include "objectness_segmentation/evaluation/methods.hpp"
+#include "evaluation/methods.hpp"
 #include "objectness_segmentation/tracking/depth_fusion.hpp"
+#include "tools/command_line.hpp"
+#include "tools/config_options.hpp"
 
 namespace objectness::evaluation {
 namespace {

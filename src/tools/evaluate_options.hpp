@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "evaluation/scores.hpp"
 #include "objectness_segmentation/common/status.hpp"
 #include "objectness_segmentation/config.hpp"
-#include "objectness_segmentation/evaluation/scores.hpp"
 #include "objectness_segmentation/learning/learned_objectness.hpp"
 
 namespace objectness::evaluation {

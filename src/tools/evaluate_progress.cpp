@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "evaluate_progress.hpp"
+#include "tools/evaluate_progress.hpp"
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <iostream>
 
-#include "tool_message.hpp"
+#include "tools/tool_message.hpp"
 
 namespace objectness::evaluation {
 namespace {

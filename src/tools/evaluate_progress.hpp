@@ -4,7 +4,7 @@
 #include <chrono>
 #include <string>
 
-#include "objectness_segmentation/evaluation/experiment.hpp"
+#include "evaluation/experiment.hpp"
 
 namespace objectness::evaluation {
 

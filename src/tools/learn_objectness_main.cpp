@@ -9,10 +9,10 @@
 #include <iostream>
 #include <map>
 
-#include "command_line.hpp"
-#include "config_options.hpp"
-#include "objectness_segmentation/evaluation/learn.hpp"
-#include "tool_message.hpp"
+#include "evaluation/learn.hpp"
+#include "tools/command_line.hpp"
+#include "tools/config_options.hpp"
+#include "tools/tool_message.hpp"
 
 namespace {
 

@@ -6,12 +6,12 @@
 #include <fstream>
 #include <iostream>
 
-#include "make_scene_options.hpp"
-#include "objectness_segmentation/ros/scene_bag_writer.hpp"
-#include "objectness_segmentation/sim/demo_scene.hpp"
-#include "objectness_segmentation/sim/scene_generator.hpp"
-#include "objectness_segmentation/sim/simulated_frame.hpp"
-#include "tool_message.hpp"
+#include "sim/demo_scene.hpp"
+#include "sim/scene_generator.hpp"
+#include "sim/simulated_frame.hpp"
+#include "tools/make_scene_options.hpp"
+#include "tools/scene_bag.hpp"
+#include "tools/tool_message.hpp"
 
 namespace {
 
@@ -42,15 +42,6 @@ Status writeFolders(const Scene& scene, std::uint32_t index, const MakeSceneOpti
   } else {
     status = write(scene.T_world_camera, 0, folder);
   }
-  return status;
-}
-
-Status writeBag(const Scene& scene, std::uint32_t index, const MakeSceneOptions& options) {
-  objectness_segmentation::SceneBagSettings settings{options.sensor, options.frames.value_or(1), options.rate_hz};
-  settings.still = options.still;
-  settings.noise_seed = [&](int frame) { return noiseSeed(options.seed, index, frame); };
-  Status status = objectness_segmentation::writeSceneBag(options.bag, scene, settings);
-  if (!status.ok()) status.message = options.bag + ": " + status.message;
   return status;
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "make_scene_options.hpp"
+#include "tools/make_scene_options.hpp"
 
 #include <boost/program_options.hpp>
 #include <sstream>
 
-#include "command_line.hpp"
 #include "objectness_segmentation/io/camera_yaml.hpp"
-#include "objectness_segmentation/sim/scene_generator.hpp"
+#include "sim/scene_generator.hpp"
+#include "tools/command_line.hpp"
 
 namespace objectness::sim {
 namespace {

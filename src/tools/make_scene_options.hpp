@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "objectness_segmentation/common/status.hpp"
-#include "objectness_segmentation/sim/depth_sensor.hpp"
-#include "objectness_segmentation/sim/room.hpp"
+#include "sim/depth_sensor.hpp"
+#include "sim/room.hpp"
 
 namespace objectness::sim {
 

@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <iostream>
 
-#include "objectness_segmentation/common/frame_memory.hpp"
-#include "segment_bag_options.hpp"
-#include "tool_message.hpp"
+#include "common/frame_memory.hpp"
+#include "tools/segment_bag_options.hpp"
+#include "tools/tool_message.hpp"
 
 namespace {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "segment_bag_options.hpp"
+#include "tools/segment_bag_options.hpp"
 
 #include <boost/program_options.hpp>
 #include <filesystem>
 #include <sstream>
 
-#include "command_line.hpp"
-#include "config_options.hpp"
+#include "tools/command_line.hpp"
+#include "tools/config_options.hpp"
 
 namespace objectness_segmentation {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "objectness_segmentation/ros/segment_bag.hpp"
+#include "ros/segment_bag.hpp"
 
 namespace objectness_segmentation {
 

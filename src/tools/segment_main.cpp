@@ -10,12 +10,12 @@
 #include <opencv2/core/utils/logger.hpp>
 #include <sstream>
 
-#include "objectness_segmentation/common/frame_memory.hpp"
+#include "common/frame_memory.hpp"
 #include "objectness_segmentation/io/input_file.hpp"
 #include "objectness_segmentation/io/result_writer.hpp"
 #include "objectness_segmentation/pipeline.hpp"
-#include "segment_options.hpp"
-#include "tool_message.hpp"
+#include "tools/segment_options.hpp"
+#include "tools/tool_message.hpp"
 
 namespace {
 

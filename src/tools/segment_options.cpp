@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "segment_options.hpp"
+#include "tools/segment_options.hpp"
 
 #include <boost/program_options.hpp>
 #include <sstream>
 
-#include "command_line.hpp"
-#include "config_options.hpp"
 #include "objectness_segmentation/io/camera_yaml.hpp"
 #include "objectness_segmentation/io/config_yaml.hpp"
 #include "objectness_segmentation/io/depth_scale.hpp"
+#include "tools/command_line.hpp"
+#include "tools/config_options.hpp"
 
 namespace objectness {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tool_message.hpp"
+#include "tools/tool_message.hpp"
 
 #include <algorithm>
 #include <iostream>

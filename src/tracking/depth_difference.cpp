@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "depth_difference.hpp"
+#include "tracking/depth_difference.hpp"
 
 #include <algorithm>
 #include <array>

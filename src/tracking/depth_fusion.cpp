@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "depth_difference.hpp"
-#include "objectness_segmentation/common/angles.hpp"
-#include "objectness_segmentation/common/parallel.hpp"
+#include "common/angles.hpp"
+#include "common/parallel.hpp"
+#include "tracking/depth_difference.hpp"
 
 namespace objectness {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sighting.hpp"
+#include "tracking/sighting.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "objectness_segmentation/selection/cell_key.hpp"
+#include "selection/cell_key.hpp"
 
 namespace objectness {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "steady_boxes.hpp"
+#include "tracking/steady_boxes.hpp"
 
 #include <algorithm>
 
-#include "../common/share_below.hpp"
-#include "../segments/box_axes.hpp"
+#include "common/share_below.hpp"
+#include "segments/box_axes.hpp"
 
 namespace objectness {
 namespace {

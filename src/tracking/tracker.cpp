@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "objectness_segmentation/common/assignment.hpp"
-#include "sighting.hpp"
+#include "common/assignment.hpp"
+#include "tracking/sighting.hpp"
 
 namespace objectness {
 namespace {

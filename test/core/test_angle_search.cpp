@@ -8,10 +8,10 @@
 #include "fixtures/cue_scene.hpp"
 #include "fixtures/random_volumes.hpp"
 #include "fixtures/temporary_folder.hpp"
-#include "objectness_segmentation/integral/cue_volumes.hpp"
+#include "integral/cue_volumes.hpp"
 #include "objectness_segmentation/io/scene_folder.hpp"
-#include "objectness_segmentation/search/angle_search.hpp"
-#include "objectness_segmentation/search/search.hpp"
+#include "search/angle_search.hpp"
+#include "search/search.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

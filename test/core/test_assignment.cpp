@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "objectness_segmentation/common/assignment.hpp"
+#include "common/assignment.hpp"
 
 using objectness::assignMaximum;
 

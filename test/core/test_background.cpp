@@ -3,7 +3,7 @@
 
 #include "fixtures/ray_cast.hpp"
 #include "objectness_segmentation/pipeline.hpp"
-#include "objectness_segmentation/segments/background.hpp"
+#include "segments/background.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

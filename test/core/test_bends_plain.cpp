@@ -4,8 +4,8 @@
 
 #include <cstring>
 
-#include "../src/cues/crease.hpp"
-#include "../src/cues/side_runs.hpp"
+#include "cues/crease.hpp"
+#include "cues/side_runs.hpp"
 #include "fixtures/random_frame.hpp"
 
 using namespace objectness;

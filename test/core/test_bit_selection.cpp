@@ -5,9 +5,9 @@
 #include "fixtures/random_volumes.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "objectness_segmentation/io/scene_folder.hpp"
-#include "objectness_segmentation/search/angle_search.hpp"
-#include "objectness_segmentation/selection/hypotheses.hpp"
-#include "objectness_segmentation/selection/scene_points.hpp"
+#include "search/angle_search.hpp"
+#include "selection/hypotheses.hpp"
+#include "selection/scene_points.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

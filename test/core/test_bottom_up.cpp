@@ -5,8 +5,8 @@
 
 #include "fixtures/small_scene.hpp"
 #include "objectness_segmentation/pipeline.hpp"
-#include "objectness_segmentation/sim/scene_generator.hpp"
-#include "objectness_segmentation/sim/simulated_frame.hpp"
+#include "sim/scene_generator.hpp"
+#include "sim/simulated_frame.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "fixtures/random_volumes.hpp"
-#include "objectness_segmentation/selection/box_filter.hpp"
-#include "objectness_segmentation/selection/scene_points.hpp"
+#include "selection/box_filter.hpp"
+#include "selection/scene_points.hpp"
 
 using namespace objectness;
 using objectness_test::Dice;

@@ -7,14 +7,14 @@
 #include <random>
 #include <set>
 
-#include "../src/scene/bridged_gaps.hpp"
 #include "fixtures/random_frame.hpp"
 #include "fixtures/ray_cast.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "objectness_segmentation/io/scene_folder.hpp"
 #include "objectness_segmentation/pipeline.hpp"
 #include "objectness_segmentation/scene/normals.hpp"
-#include "objectness_segmentation/segments/segments.hpp"
+#include "scene/bridged_gaps.hpp"
+#include "segments/segments.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

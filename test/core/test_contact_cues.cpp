@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "fixtures/piece_view.hpp"
-#include "objectness_segmentation/grouping/contact_cues.hpp"
+#include "grouping/contact_cues.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

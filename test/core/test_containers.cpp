@@ -4,7 +4,7 @@
 
 #include "fixtures/ray_cast.hpp"
 #include "objectness_segmentation/pipeline.hpp"
-#include "objectness_segmentation/segments/supports.hpp"
+#include "segments/supports.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

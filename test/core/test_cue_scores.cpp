@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "fixtures/random_volumes.hpp"
-#include "objectness_segmentation/objectness/cue_scores.hpp"
-#include "objectness_segmentation/objectness/objectness.hpp"
+#include "objectness/cue_scores.hpp"
+#include "objectness/objectness.hpp"
 
 using namespace objectness;
 

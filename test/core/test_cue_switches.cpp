@@ -5,9 +5,9 @@
 
 #include "fixtures/leaf_model.hpp"
 #include "fixtures/small_scene.hpp"
+#include "learning/training_scene.hpp"
 #include "objectness_segmentation/config_fields.hpp"
 #include "objectness_segmentation/io/config_yaml.hpp"
-#include "objectness_segmentation/learning/training_scene.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

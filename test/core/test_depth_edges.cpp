@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "../src/cues/crease.hpp"
-#include "../src/cues/edge_detectors.hpp"
+#include "cues/crease.hpp"
+#include "cues/edge_detectors.hpp"
 #include "fixtures/random_frame.hpp"
 
 using namespace objectness;

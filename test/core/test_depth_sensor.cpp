@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "objectness_segmentation/sim/depth_sensor.hpp"
+#include "sim/depth_sensor.hpp"
 
 using namespace objectness;
 using namespace objectness::sim;

@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
-#include "../src/grouping/extremes.hpp"
+#include "grouping/extremes.hpp"
 
 using namespace objectness;
 

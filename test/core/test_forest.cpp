@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "learning/forest_trainer.hpp"
 #include "objectness_segmentation/learning/forest.hpp"
-#include "objectness_segmentation/learning/forest_trainer.hpp"
 
 using namespace objectness;
 using Json = nlohmann::json;

@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-#include "objectness_segmentation/common/frame_memory.hpp"
+#include "common/frame_memory.hpp"
 
 using namespace objectness;
 

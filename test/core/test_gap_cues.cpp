@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "fixtures/piece_view.hpp"
-#include "objectness_segmentation/grouping/links.hpp"
+#include "grouping/links.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

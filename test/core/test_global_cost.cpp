@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "fixtures/random_volumes.hpp"
-#include "objectness_segmentation/selection/global_selection.hpp"
+#include "selection/global_selection.hpp"
 
 using namespace objectness;
 using objectness_test::Dice;

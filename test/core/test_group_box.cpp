@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <random>
 
-#include "objectness_segmentation/grouping/group_box.hpp"
+#include "grouping/group_box.hpp"
 
 using namespace objectness;
 

@@ -7,9 +7,9 @@
 #include <tuple>
 
 #include "fixtures/piece_view.hpp"
-#include "objectness_segmentation/grouping/group_cost.hpp"
+#include "grouping/group_cost.hpp"
 #include "objectness_segmentation/pipeline.hpp"
-#include "objectness_segmentation/selection/global_selection.hpp"
+#include "selection/global_selection.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

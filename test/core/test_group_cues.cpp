@@ -4,8 +4,8 @@
 #include <random>
 
 #include "fixtures/piece_view.hpp"
+#include "grouping/group_cues.hpp"
 #include "objectness_segmentation/cues/edges.hpp"
-#include "objectness_segmentation/grouping/group_cues.hpp"
 #include "objectness_segmentation/learning/cue_list.hpp"
 
 using namespace objectness;

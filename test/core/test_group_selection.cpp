@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "objectness_segmentation/grouping/group_selection.hpp"
+#include "grouping/group_selection.hpp"
 
 using namespace objectness;
 

@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "objectness_segmentation/grouping/propose_groups.hpp"
+#include "grouping/propose_groups.hpp"
 
 using namespace objectness;
 

@@ -7,9 +7,9 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
-#include "../src/cues/crease.hpp"
-#include "../src/cues/grown_pieces.hpp"
-#include "../src/cues/radix_order.hpp"
+#include "cues/crease.hpp"
+#include "cues/grown_pieces.hpp"
+#include "cues/radix_order.hpp"
 #include "fixtures/random_frame.hpp"
 
 using namespace objectness;

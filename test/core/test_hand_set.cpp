@@ -5,7 +5,7 @@
 
 #include "fixtures/leaf_model.hpp"
 #include "fixtures/small_scene.hpp"
-#include "objectness_segmentation/grouping/hand_set.hpp"
+#include "grouping/hand_set.hpp"
 #include "objectness_segmentation/pipeline.hpp"
 
 using namespace objectness;

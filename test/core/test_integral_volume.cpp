@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "fixtures/random_volumes.hpp"
-#include "objectness_segmentation/integral/cue_volumes.hpp"
+#include "integral/cue_volumes.hpp"
 
 using namespace objectness;
 using objectness_test::Dice;

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "fixtures/temporary_folder.hpp"
-#include "objectness_segmentation/grouping/group_cues.hpp"
+#include "grouping/group_cues.hpp"
 #include "objectness_segmentation/learning/cue_list.hpp"
 #include "objectness_segmentation/learning/learned_objectness.hpp"
 

@@ -5,9 +5,9 @@
 #include <functional>
 #include <random>
 
-#include "../src/scene/connected_points.hpp"
-#include "../src/scene/mask_parts.hpp"
 #include "fixtures/random_frame.hpp"
+#include "scene/connected_points.hpp"
+#include "scene/mask_parts.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

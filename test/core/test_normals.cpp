@@ -5,7 +5,7 @@
 
 #include "fixtures/ray_cast.hpp"
 #include "objectness_segmentation/scene/normals.hpp"
-#include "objectness_segmentation/scene/refined_normals.hpp"
+#include "scene/refined_normals.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstring>
 
-#include "../src/scene/depth_jumps.hpp"
 #include "fixtures/random_frame.hpp"
 #include "objectness_segmentation/scene/normals.hpp"
+#include "scene/depth_jumps.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include "objectness_segmentation/common/parallel.hpp"
+#include "common/parallel.hpp"
 
 using objectness::parallelFor;
 using objectness::ThreadPool;

@@ -7,8 +7,8 @@
 #include "fixtures/temporary_folder.hpp"
 #include "objectness_segmentation/io/scene_folder.hpp"
 #include "objectness_segmentation/pipeline.hpp"
-#include "objectness_segmentation/search/angle_search.hpp"
-#include "objectness_segmentation/search/search.hpp"
+#include "search/angle_search.hpp"
+#include "search/search.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "../src/grouping/pixel_kernel.hpp"
+#include "grouping/pixel_kernel.hpp"
 
 using namespace objectness;
 

@@ -5,7 +5,7 @@
 #include <random>
 #include <set>
 
-#include "../src/grouping/remembered_groups.hpp"
+#include "grouping/remembered_groups.hpp"
 
 using namespace objectness;
 

@@ -5,7 +5,7 @@
 
 #include "fixtures/ray_cast.hpp"
 #include "objectness_segmentation/pipeline.hpp"
-#include "objectness_segmentation/scene/resolution.hpp"
+#include "scene/resolution.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

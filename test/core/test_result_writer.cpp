@@ -6,8 +6,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <set>
 
+#include "common/color_palette.hpp"
 #include "fixtures/temporary_folder.hpp"
-#include "objectness_segmentation/common/color_palette.hpp"
 #include "objectness_segmentation/io/overlay.hpp"
 #include "objectness_segmentation/io/result_writer.hpp"
 

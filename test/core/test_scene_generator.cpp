@@ -6,7 +6,7 @@
 #include <set>
 
 #include "fixtures/surface_points.hpp"
-#include "objectness_segmentation/sim/scene_generator.hpp"
+#include "sim/scene_generator.hpp"
 
 using namespace objectness;
 using namespace objectness::sim;

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "fixtures/random_volumes.hpp"
-#include "objectness_segmentation/search/search.hpp"
+#include "search/search.hpp"
 
 using namespace objectness;
 using objectness_test::Dice;

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "fixtures/random_frame.hpp"
-#include "objectness_segmentation/segments/geodesic_assignment.hpp"
-#include "objectness_segmentation/segments/segments.hpp"
+#include "segments/geodesic_assignment.hpp"
+#include "segments/segments.hpp"
 
 using namespace objectness;
 

@@ -8,8 +8,8 @@
 #include "fixtures/boxes_on_a_table.hpp"
 #include "objectness_segmentation/pipeline.hpp"
 #include "objectness_segmentation/sequence.hpp"
-#include "objectness_segmentation/sim/scene_generator.hpp"
-#include "objectness_segmentation/sim/simulated_frame.hpp"
+#include "sim/scene_generator.hpp"
+#include "sim/simulated_frame.hpp"
 
 using namespace objectness;
 

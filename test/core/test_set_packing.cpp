@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <random>
 
-#include "objectness_segmentation/selection/set_packing.hpp"
+#include "selection/set_packing.hpp"
 
 using namespace objectness;
 

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <random>
 
-#include "../src/segments/box_axes.hpp"
-#include "../src/segments/leaning_slab.hpp"
-#include "../src/segments/plan_rectangle.hpp"
-#include "../src/segments/round_fit.hpp"
-#include "objectness_segmentation/common/angles.hpp"
+#include "common/angles.hpp"
+#include "segments/box_axes.hpp"
+#include "segments/leaning_slab.hpp"
+#include "segments/plan_rectangle.hpp"
+#include "segments/round_fit.hpp"
 
 using namespace objectness;
 using Eigen::Vector2d;

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "objectness_segmentation/sim/bodies.hpp"
-#include "objectness_segmentation/sim/profiles.hpp"
-#include "objectness_segmentation/sim/random.hpp"
+#include "sim/bodies.hpp"
+#include "sim/profiles.hpp"
+#include "sim/random.hpp"
 
 using namespace objectness::sim;
 using Eigen::Vector3d;

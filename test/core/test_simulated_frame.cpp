@@ -6,8 +6,8 @@
 #include <set>
 
 #include "fixtures/temporary_folder.hpp"
-#include "objectness_segmentation/sim/scene_generator.hpp"
-#include "objectness_segmentation/sim/simulated_frame.hpp"
+#include "sim/scene_generator.hpp"
+#include "sim/simulated_frame.hpp"
 
 using namespace objectness;
 using namespace objectness::sim;

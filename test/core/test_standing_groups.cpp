@@ -2,7 +2,7 @@
 // What stands alone on the table is an object, whatever a model makes of its shape.
 #include <gtest/gtest.h>
 
-#include "../src/grouping/standing_groups.hpp"
+#include "grouping/standing_groups.hpp"
 
 using namespace objectness;
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "../src/tracking/steady_boxes.hpp"
-#include "objectness_segmentation/common/angles.hpp"
+#include "common/angles.hpp"
+#include "tracking/steady_boxes.hpp"
 
 using namespace objectness;
 using Eigen::Vector3d;

@@ -6,9 +6,9 @@
 
 #include "fixtures/seen_surfaces.hpp"
 #include "objectness_segmentation/pipeline.hpp"
-#include "objectness_segmentation/segments/supports.hpp"
-#include "objectness_segmentation/sim/scene_generator.hpp"
-#include "objectness_segmentation/sim/simulated_frame.hpp"
+#include "segments/supports.hpp"
+#include "sim/scene_generator.hpp"
+#include "sim/simulated_frame.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

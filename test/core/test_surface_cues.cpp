@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "cues/surface_cues.hpp"
 #include "fixtures/cue_view.hpp"
-#include "objectness_segmentation/cues/surface_cues.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

@@ -2,8 +2,8 @@
 // What lies under a plane speaks against its being the table.
 #include <gtest/gtest.h>
 
-#include "../src/scene/table_evidence.hpp"
 #include "fixtures/ray_cast.hpp"
+#include "scene/table_evidence.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

@@ -5,15 +5,15 @@
 #include <cstring>
 #include <opencv2/imgproc.hpp>
 
-#include "../src/scene/height_map.hpp"
-#include "../src/scene/plane_grid.hpp"
-#include "../src/scene/plane_hypotheses.hpp"
-#include "../src/scene/plane_samples.hpp"
-#include "../src/scene/surface_samples.hpp"
-#include "../src/scene/table_evidence.hpp"
-#include "../src/scene/wall_patches.hpp"
 #include "fixtures/random_frame.hpp"
 #include "fixtures/ray_cast.hpp"
+#include "scene/height_map.hpp"
+#include "scene/plane_grid.hpp"
+#include "scene/plane_hypotheses.hpp"
+#include "scene/plane_samples.hpp"
+#include "scene/surface_samples.hpp"
+#include "scene/table_evidence.hpp"
+#include "scene/wall_patches.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

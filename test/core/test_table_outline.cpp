@@ -6,8 +6,8 @@
 
 #include "fixtures/ray_cast.hpp"
 #include "objectness_segmentation/scene/table.hpp"
-#include "objectness_segmentation/sim/scene_generator.hpp"
-#include "objectness_segmentation/sim/simulated_frame.hpp"
+#include "sim/scene_generator.hpp"
+#include "sim/simulated_frame.hpp"
 
 using namespace objectness;
 using Eigen::Vector2d;

@@ -4,8 +4,8 @@
 #include <map>
 
 #include "fixtures/small_scene.hpp"
+#include "learning/training_scene.hpp"
 #include "objectness_segmentation/learning/cue_list.hpp"
-#include "objectness_segmentation/learning/training_scene.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "objectness_segmentation/common/true_labels.hpp"
+#include "common/true_labels.hpp"
 
 using objectness::trueLabel;
 using objectness::trueObject;

@@ -3,9 +3,10 @@
 
 #include "fixtures/cue_scene.hpp"
 #include "fixtures/temporary_folder.hpp"
-#include "objectness_segmentation/integral/voxel_marker.hpp"
+#include "integral/integral_volume.hpp"
+#include "integral/voxel_marker.hpp"
 #include "objectness_segmentation/io/scene_folder.hpp"
-#include "objectness_segmentation/search/box_sampler.hpp"
+#include "search/box_sampler.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../src/segments/seen_space.hpp"
 #include "fixtures/seen_surfaces.hpp"
 #include "objectness_segmentation/pipeline.hpp"
-#include "objectness_segmentation/segments/whole_boxes.hpp"
-#include "objectness_segmentation/sim/scene_generator.hpp"
-#include "objectness_segmentation/sim/simulated_frame.hpp"
+#include "segments/seen_space.hpp"
+#include "segments/whole_boxes.hpp"
+#include "sim/scene_generator.hpp"
+#include "sim/simulated_frame.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

@@ -3,12 +3,12 @@
 
 #include <cmath>
 
+#include "common/angles.hpp"
+#include "evaluation/box_fits.hpp"
+#include "evaluation/box_overlap.hpp"
+#include "evaluation/box_tables.hpp"
 #include "fixtures/cue_view.hpp"
 #include "fixtures/figure.hpp"
-#include "objectness_segmentation/common/angles.hpp"
-#include "objectness_segmentation/evaluation/box_fits.hpp"
-#include "objectness_segmentation/evaluation/box_overlap.hpp"
-#include "objectness_segmentation/evaluation/box_tables.hpp"
 
 using namespace objectness;
 using namespace objectness::evaluation;

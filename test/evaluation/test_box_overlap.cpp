@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "objectness_segmentation/evaluation/box_overlap.hpp"
+#include "evaluation/box_overlap.hpp"
 
 using namespace objectness;
 using namespace objectness::evaluation;

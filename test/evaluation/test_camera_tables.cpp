@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "objectness_segmentation/evaluation/camera_tables.hpp"
+#include "evaluation/camera_tables.hpp"
 
 using namespace objectness;
 using namespace objectness::evaluation;

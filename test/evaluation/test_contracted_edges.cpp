@@ -5,7 +5,7 @@
 #include <map>
 #include <random>
 
-#include "objectness_segmentation/evaluation/contracted_edges.hpp"
+#include "evaluation/contracted_edges.hpp"
 
 using namespace objectness::evaluation;
 

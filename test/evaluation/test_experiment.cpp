@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <new>
 
+#include "evaluation/experiment.hpp"
 #include "fixtures/labelled_scene.hpp"
 #include "fixtures/temporary_folder.hpp"
-#include "objectness_segmentation/evaluation/experiment.hpp"
 
 using namespace objectness;
 using namespace objectness::evaluation;

@@ -4,11 +4,11 @@
 
 #include <cstring>
 
-#include "../src/front_end.hpp"
 #include "fixtures/demo_images.hpp"
-#include "objectness_segmentation/learning/training_scene.hpp"
-#include "objectness_segmentation/peers/peers.hpp"
+#include "front_end.hpp"
+#include "learning/training_scene.hpp"
 #include "objectness_segmentation/pipeline.hpp"
+#include "peers/peers.hpp"
 
 using namespace objectness;
 

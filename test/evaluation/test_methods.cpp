@@ -3,8 +3,8 @@
 
 #include <set>
 
+#include "evaluation/methods.hpp"
 #include "fixtures/leaf_model.hpp"
-#include "objectness_segmentation/evaluation/methods.hpp"
 #include "objectness_segmentation/io/config_yaml.hpp"
 
 using namespace objectness;

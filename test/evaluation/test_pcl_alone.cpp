@@ -4,10 +4,10 @@
 #include <map>
 #include <random>
 
-#include "../src/peers/euclidean_clusters.hpp"
-#include "../src/peers/organized_clusters.hpp"
 #include "fixtures/table_scene.hpp"
-#include "objectness_segmentation/peers/peers.hpp"
+#include "peers/euclidean_clusters.hpp"
+#include "peers/organized_clusters.hpp"
+#include "peers/peers.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

@@ -4,12 +4,12 @@
 #include <map>
 #include <opencv2/imgcodecs.hpp>
 
+#include "evaluation/scores.hpp"
 #include "fixtures/demo_images.hpp"
 #include "fixtures/table_scene.hpp"
 #include "fixtures/temporary_folder.hpp"
-#include "objectness_segmentation/evaluation/scores.hpp"
 #include "objectness_segmentation/io/scene_folder.hpp"
-#include "objectness_segmentation/peers/peers.hpp"
+#include "peers/peers.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

@@ -10,9 +10,9 @@
 #include <random>
 #include <sstream>
 
+#include "evaluation/picture_boxes.hpp"
 #include "fixtures/label_pictures.hpp"
 #include "fixtures/temporary_folder.hpp"
-#include "objectness_segmentation/evaluation/picture_boxes.hpp"
 
 using namespace objectness;
 using namespace objectness::evaluation;

@@ -7,13 +7,13 @@
 #include <random>
 #include <set>
 
+#include "common/true_labels.hpp"
+#include "evaluation/piece_methods.hpp"
+#include "evaluation/scores.hpp"
 #include "fixtures/label_pictures.hpp"
 #include "fixtures/leaf_model.hpp"
 #include "fixtures/small_scene.hpp"
-#include "objectness_segmentation/common/true_labels.hpp"
-#include "objectness_segmentation/evaluation/piece_methods.hpp"
-#include "objectness_segmentation/evaluation/scores.hpp"
-#include "objectness_segmentation/learning/training_scene.hpp"
+#include "learning/training_scene.hpp"
 #include "objectness_segmentation/pipeline.hpp"
 
 using namespace objectness;

@@ -6,8 +6,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "evaluation/processes.hpp"
 #include "fixtures/temporary_folder.hpp"
-#include "objectness_segmentation/evaluation/processes.hpp"
 
 using namespace objectness_test;
 using objectness::evaluation::forEachInProcess;

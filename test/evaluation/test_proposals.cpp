@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "evaluation/proposals.hpp"
 #include "fixtures/demo_images.hpp"
-#include "objectness_segmentation/evaluation/proposals.hpp"
 #include "objectness_segmentation/io/scene_folder.hpp"
 #include "objectness_segmentation/pipeline.hpp"
 

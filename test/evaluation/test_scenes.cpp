@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "evaluation/scenes.hpp"
 #include "fixtures/temporary_folder.hpp"
-#include "objectness_segmentation/evaluation/scenes.hpp"
 
 using namespace objectness::evaluation;
 using namespace objectness_test;

@@ -8,9 +8,9 @@
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
 
+#include "evaluation/scores.hpp"
 #include "fixtures/label_pictures.hpp"
 #include "fixtures/temporary_folder.hpp"
-#include "objectness_segmentation/evaluation/scores.hpp"
 
 using namespace objectness::evaluation;
 using namespace objectness_test;

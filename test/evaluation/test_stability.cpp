@@ -3,10 +3,10 @@
 
 #include <cmath>
 
+#include "common/angles.hpp"
+#include "evaluation/stability.hpp"
 #include "fixtures/figure.hpp"
 #include "fixtures/label_pictures.hpp"
-#include "objectness_segmentation/common/angles.hpp"
-#include "objectness_segmentation/evaluation/stability.hpp"
 
 using namespace objectness;
 using namespace objectness::evaluation;

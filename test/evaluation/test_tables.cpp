@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "evaluation/tables.hpp"
 #include "fixtures/figure.hpp"
-#include "objectness_segmentation/evaluation/tables.hpp"
 
 using namespace objectness;
 using namespace objectness::evaluation;

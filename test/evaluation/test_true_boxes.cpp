@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "evaluation/box_overlap.hpp"
+#include "evaluation/true_boxes.hpp"
 #include "fixtures/cue_view.hpp"
 #include "fixtures/temporary_folder.hpp"
-#include "objectness_segmentation/evaluation/box_overlap.hpp"
-#include "objectness_segmentation/evaluation/true_boxes.hpp"
 
 using namespace objectness;
 using namespace objectness::evaluation;

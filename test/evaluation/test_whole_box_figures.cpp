@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include "objectness_segmentation/common/angles.hpp"
-#include "objectness_segmentation/evaluation/box_overlap.hpp"
+#include "common/angles.hpp"
+#include "evaluation/box_overlap.hpp"
 #include "objectness_segmentation/pipeline.hpp"
-#include "objectness_segmentation/sim/scene_generator.hpp"
-#include "objectness_segmentation/sim/simulated_frame.hpp"
+#include "sim/scene_generator.hpp"
+#include "sim/simulated_frame.hpp"
 
 using namespace objectness;
 

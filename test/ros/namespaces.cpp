@@ -6,8 +6,8 @@
 #include "features_fixture.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "launch_process.hpp"
-#include "objectness_segmentation/ros/scene_bag_writer.hpp"
-#include "objectness_segmentation/sim/demo_scene.hpp"
+#include "ros/scene_bag_writer.hpp"
+#include "sim/demo_scene.hpp"
 
 namespace {
 

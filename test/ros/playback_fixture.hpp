@@ -13,9 +13,9 @@
 #include "bag_player.hpp"
 #include "fixtures/bag_files.hpp"
 #include "fixtures/temporary_folder.hpp"
-#include "objectness_segmentation/ros/scene_bag_writer.hpp"
 #include "objectness_segmentation/ros/topics.hpp"
-#include "objectness_segmentation/sim/demo_scene.hpp"
+#include "ros/scene_bag_writer.hpp"
+#include "sim/demo_scene.hpp"
 #include "wait_until.hpp"
 
 namespace objectness_test {

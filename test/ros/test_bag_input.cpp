@@ -6,8 +6,8 @@
 #include "fixtures/bag_files.hpp"
 #include "fixtures/ros_messages.hpp"
 #include "fixtures/temporary_folder.hpp"
-#include "objectness_segmentation/ros/bag_input.hpp"
-#include "objectness_segmentation/ros/scene_messages.hpp"
+#include "ros/bag_input.hpp"
+#include "ros/scene_messages.hpp"
 
 namespace {
 

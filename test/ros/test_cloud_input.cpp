@@ -5,7 +5,7 @@
 
 #include "fixtures/ros_messages.hpp"
 #include "objectness_segmentation/ros/input_conversions.hpp"
-#include "objectness_segmentation/ros/scene_messages.hpp"
+#include "ros/scene_messages.hpp"
 
 namespace {
 

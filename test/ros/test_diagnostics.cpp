@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "objectness_segmentation/ros/diagnostics.hpp"
+#include "ros/diagnostics.hpp"
 
 namespace {
 

@@ -9,8 +9,8 @@
 #include "fixtures/ray_cast.hpp"
 #include "objectness_segmentation/ros/input_conversions.hpp"
 #include "objectness_segmentation/ros/output_conversions.hpp"
-#include "objectness_segmentation/ros/scene_messages.hpp"
 #include "objectness_segmentation/ros/segment_messages.hpp"
+#include "ros/scene_messages.hpp"
 
 namespace {
 

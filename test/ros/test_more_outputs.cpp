@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "fixtures/ray_cast.hpp"
-#include "objectness_segmentation/integral/cue_volumes.hpp"
+#include "integral/cue_volumes.hpp"
 #include "objectness_segmentation/pipeline.hpp"
-#include "objectness_segmentation/ros/debug_conversions.hpp"
 #include "objectness_segmentation/ros/output_conversions.hpp"
+#include "ros/debug_conversions.hpp"
 #include "two_objects.hpp"
 
 namespace {

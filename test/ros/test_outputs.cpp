@@ -5,10 +5,10 @@
 #include <set>
 #include <tuple>
 
+#include "common/color_palette.hpp"
 #include "fixtures/ros_messages.hpp"
-#include "objectness_segmentation/common/color_palette.hpp"
-#include "objectness_segmentation/ros/debug_conversions.hpp"
 #include "objectness_segmentation/ros/output_conversions.hpp"
+#include "ros/debug_conversions.hpp"
 #include "two_objects.hpp"
 
 namespace {

@@ -3,7 +3,7 @@
 
 #include <thread>
 
-#include "objectness_segmentation/ros/request_desk.hpp"
+#include "ros/request_desk.hpp"
 
 namespace {
 

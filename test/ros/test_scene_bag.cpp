@@ -10,8 +10,8 @@
 #include "fixtures/small_scene.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "objectness_segmentation/ros/input_conversions.hpp"
-#include "objectness_segmentation/ros/scene_bag_writer.hpp"
 #include "objectness_segmentation/ros/topics.hpp"
+#include "ros/scene_bag_writer.hpp"
 
 namespace {
 

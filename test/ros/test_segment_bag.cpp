@@ -7,10 +7,10 @@
 #include "fixtures/small_scene.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "objectness_segmentation/ros/output_conversions.hpp"
-#include "objectness_segmentation/ros/scene_bag_writer.hpp"
-#include "objectness_segmentation/ros/scene_messages.hpp"
-#include "objectness_segmentation/ros/segment_bag.hpp"
 #include "objectness_segmentation/ros/topics.hpp"
+#include "ros/scene_bag_writer.hpp"
+#include "ros/scene_messages.hpp"
+#include "ros/segment_bag.hpp"
 
 namespace {
 

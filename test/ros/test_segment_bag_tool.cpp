@@ -8,8 +8,8 @@
 #include "fixtures/small_scene.hpp"
 #include "fixtures/tool_test.hpp"
 #include "objectness_segmentation/SegmentedObjectArray.h"
-#include "objectness_segmentation/ros/scene_bag_writer.hpp"
-#include "objectness_segmentation/ros/scene_messages.hpp"
+#include "ros/scene_bag_writer.hpp"
+#include "ros/scene_messages.hpp"
 
 namespace {
 

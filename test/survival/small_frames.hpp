@@ -8,7 +8,7 @@
 
 #include "fixtures/ray_cast.hpp"
 #include "fixtures/ros_messages.hpp"
-#include "objectness_segmentation/ros/scene_messages.hpp"
+#include "ros/scene_messages.hpp"
 
 namespace objectness_test {
 

@@ -8,8 +8,8 @@
 #include "fixtures/labelled_scene.hpp"
 #include "fixtures/tool_test.hpp"
 #include "objectness_segmentation/pipeline.hpp"
-#include "objectness_segmentation/sim/scene_generator.hpp"
-#include "objectness_segmentation/sim/simulated_frame.hpp"
+#include "sim/scene_generator.hpp"
+#include "sim/simulated_frame.hpp"
 
 using namespace objectness_test;
 namespace sim = objectness::sim;

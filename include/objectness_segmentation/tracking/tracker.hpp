@@ -8,7 +8,7 @@
 
 #include "objectness_segmentation/common/range.hpp"
 #include "objectness_segmentation/scene/frame.hpp"
-#include "objectness_segmentation/segments/segments.hpp"
+#include "objectness_segmentation/segments/segment.hpp"
 
 namespace objectness {
 

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "evaluation/scores.hpp"
+#include "objectness_segmentation/common/status.hpp"
+
+namespace objectness::evaluation {
+
+/// What a report is about; kept as run.json in its folder, beside the results.
+struct Run {
+  struct MethodInfo {
+    std::string name, description, settings;
+    bool operator==(const MethodInfo& other) const { return name == other.name && settings == other.settings; }
+  };
+  struct SceneInfo {
+    std::string name, group;
+    std::string camera = {};  ///< Scene::camera
+  };
+
+  std::string commit;
+  std::vector<std::string> machines;  ///< more than one after a merge
+  int jobs = 1;                       ///< processes at a time: times are comparable when it is 1
+  int shard = 1, shards = 1;          ///< this is part `shard` (1..shards) of a split data set
+  std::vector<Level> levels;
+  std::vector<MethodInfo> methods;
+  std::vector<SceneInfo> scenes;  ///< of this shard, in the order of their names
+  bool still = false;             ///< data sets are sequences of frames of a still scene
+};
+
+/// The commit the program was built from, with a checksum of what was changed since; the package's version when it was
+/// not built in a git checkout.
+std::string commit();
+
+/// Processor, memory, system and the versions of the libraries that matter.
+std::string describeMachine();
+
+Status saveRun(const std::string& report, const Run& run);
+
+/// kBadInput when the folder holds no report.
+Result<Run> loadRun(const std::string& report);
+
+/// Copies the results of report folders that were computed with --shard into `report`. kBadInput: they differ in
+/// commit, methods, settings or levels, a part is missing or given twice, or a scene is in two of them.
+Result<Run> mergeShards(const std::string& report, const std::vector<std::string>& shards);
+
+}  // namespace objectness::evaluation

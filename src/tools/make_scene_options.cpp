@@ -22,7 +22,7 @@ constexpr double kMinRate_hz = 0.01, kMaxRate_hz = 1000;
 constexpr const char* kIntroduction =
     "Simulates a depth camera that looks at things on a table, and writes what it sees with the truth about it.\n"
     "\n"
-    "  make_scene --demo | --level NAME|all [OPTION...] --out DIR | --bag FILE.bag\n"
+    "  make_scene --demo | --level NAME|all|everyday [OPTION...] --out DIR | --bag FILE.bag\n"
     "\n"
     "A scene is a folder: depth.png (16-bit millimetres), color.png, camera.yaml, labels.png (0 void, 1 table,\n"
     "2 tray, tote or shelf, 3 what stands around it, 20, 30, ... objects), objects.yaml (table, other background, and "
@@ -83,7 +83,8 @@ po::options_description shownOptions() {
 std::string listLevels() {
   std::ostringstream list;
   for (const Level& level : levels()) {
-    list << level.name << '\t' << level.min_objects << '-' << level.max_objects << '\t' << level.description << '\n';
+    list << level.name << '\t' << level.min_objects << '-' << level.max_objects << '\t' << level.description
+         << ", seen from " << level.view.min_tilt_deg << " to " << level.view.max_tilt_deg << " deg down\n";
   }
   return list.str();
 }

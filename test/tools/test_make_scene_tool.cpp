@@ -123,6 +123,7 @@ TEST_F(MakeSceneTool, PrintsHelpAndLevels) {
   EXPECT_EQ(std::count(list.out.begin(), list.out.end(), '\n'), 13);
   EXPECT_LT(list.out.find("boxes\t"), list.out.find("clutter\t")) << "from easy to hard";
   EXPECT_LT(list.out.find("clutter\t"), list.out.find("plates\t")) << "everyday ones last";
+  EXPECT_NE(list.out.find("from above, seen from 65 to 90 deg down\n"), std::string::npos) << list.out;
 }
 
 TEST_F(MakeSceneTool, WrongCommandLines) {

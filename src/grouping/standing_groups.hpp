@@ -7,10 +7,10 @@
 
 namespace objectness {
 
-/// Groups of pieces that no chosen group has and that surely stand on the table: connected pieces that touch nothing that
-/// was chosen, are surrounded by table, show enough surface in a compact outline, and lie over the noise. Whatever a model
-/// makes of their shape, something is there. Indices of `groups` that share no piece: the best packing of these.
-/// chosen: indices of `groups`.
+/// Groups of pieces that no chosen group has and that surely stand on the table: connected pieces that touch nothing
+/// that was chosen, are surrounded by table, show enough surface in a compact outline, and lie over the noise. Whatever
+/// a model makes of their shape, something is there. Indices of `groups` that share no piece: the best packing of
+/// these. chosen: indices of `groups`.
 std::vector<int> standingGroups(const Frame& frame, const Table& table, const ObjectPoints& above, const Pieces& pieces,
                                 const std::vector<Link>& links, const std::vector<GroupHypothesis>& groups,
                                 const std::vector<int>& chosen, const GroupingConfig& config, unsigned seed);

@@ -9,8 +9,8 @@ namespace objectness {
 struct ObjectPoints {
   cv::Mat_<float> height_m;  ///< H x W signed height over the table plane, NaN = invalid point
   cv::Mat_<uchar> mask;      ///< H x W, 255 = a point that stands on the table, 0 = anything else
-  /// H x W, 255 = a point of a surface that carries objects: the table's own, inside its extent, or the floor of a tray,
-  /// tote or bin.
+  /// H x W, 255 = a point of a surface that carries objects: the table's own, inside its extent, or the floor of a
+  /// tray, tote or bin.
   cv::Mat_<uchar> on_table;
   cv::Mat_<uchar> container;  ///< H x W, 255 = a point of a tray, tote or bin with things in it: its floor or its walls
 };

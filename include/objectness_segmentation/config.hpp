@@ -17,6 +17,7 @@
 #include "objectness_segmentation/search/box_sampler.hpp"
 #include "objectness_segmentation/segments/background.hpp"
 #include "objectness_segmentation/segments/segments.hpp"
+#include "objectness_segmentation/segments/unmeasured.hpp"
 #include "objectness_segmentation/selection/box_filter.hpp"
 #include "objectness_segmentation/selection/global_selection.hpp"
 #include "objectness_segmentation/tracking/tracker.hpp"
@@ -55,6 +56,7 @@ struct Config {
   GroupingConfig grouping;
   SegmentsConfig segments;
   BackgroundConfig background;
+  UnmeasuredConfig unmeasured;
   TrackingConfig tracking;  ///< from frame to frame: not used by segment()
   RuntimeConfig runtime;
 
@@ -80,6 +82,7 @@ struct Config {
     visit("group_cues", self.grouping.cues);
     visit("segments", self.segments);
     visit("background", self.background);
+    visit("unmeasured", self.unmeasured);
     visit("tracking", self.tracking);
     visit("runtime", self.runtime);
   }

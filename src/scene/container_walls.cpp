@@ -39,18 +39,23 @@ float reachOf(const std::vector<cv::Point2f>& outline, const cv::Point2f& from, 
   return reach;
 }
 
-/// The highest point in each cell of a plan.
+/// The highest point in each cell of a plan, in and around an outline.
 class HighestInCells {
  public:
-  HighestInCells(const std::vector<cv::Point2f>& places, const std::vector<float>& over_floor_m) {
-    cv::Point2f high = origin_ = places.front();
-    for (const auto& p : places) {
+  HighestInCells(const std::vector<cv::Point2f>& outline, float around_m, const std::vector<cv::Point2f>& places,
+                 const std::vector<float>& over_floor_m) {
+    cv::Point2f high = origin_ = outline.front();
+    for (const auto& p : outline) {
       origin_ = {std::min(origin_.x, p.x), std::min(origin_.y, p.y)};
       high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     }
-    const cv::Point2f size = high - origin_;
-    cells_ = cv::Mat_<float>(1 + static_cast<int>(size.y / kCellM), 1 + static_cast<int>(size.x / kCellM), kUnseen);
+    origin_ -= cv::Point2f(around_m, around_m);
+    const cv::Point2f size = high - origin_ + cv::Point2f(around_m, around_m);
+    cells_ = cv::Mat_<float>(1 + cvFloor(size.y / kCellM), 1 + cvFloor(size.x / kCellM), kUnseen);
     for (std::size_t i = 0; i < places.size(); ++i) {
+      const cv::Point2f in_cells = (places[i] - origin_) / kCellM;
+      // Compared as they are: what lies far behind would not fit into a whole number.
+      if (!(in_cells.x >= 0 && in_cells.y >= 0 && in_cells.x < cells_.cols && in_cells.y < cells_.rows)) continue;
       float& cell = cells_(cellOf(places[i]));
       cell = std::max(cell, over_floor_m[i]);
     }
@@ -91,19 +96,22 @@ FloorArea::FloorArea(const std::vector<cv::Point2f>& outline, double margin_m) {
 }
 
 bool FloorArea::contains(const cv::Point2f& place) const {
-  const cv::Point cell(cvFloor((place.x - origin_.x) / kCellM), cvFloor((place.y - origin_.y) / kCellM));
-  return cv::Rect({}, cells_.size()).contains(cell) && cells_(cell) != 0;
+  const cv::Point2f in_cells = (place - origin_) / kCellM;
+  if (!(in_cells.x >= 0 && in_cells.y >= 0 && in_cells.x < cells_.cols && in_cells.y < cells_.rows)) return false;
+  return cells_(static_cast<int>(in_cells.y), static_cast<int>(in_cells.x)) != 0;
 }
 
 std::optional<double> wallHeight(const std::vector<cv::Point2f>& outline, const std::vector<cv::Point2f>& places,
                                  const std::vector<float>& over_floor_m, float noise_m) {
-  const HighestInCells highest(places, over_floor_m);
   const cv::Point2f centre = centreOf(outline);
+  float farthest = 0;
+  for (const auto& corner : outline) farthest = std::max(farthest, static_cast<float>(cv::norm(corner - centre)));
+  const HighestInCells highest(outline, std::max(kMinReachM, kReach * farthest), places, over_floor_m);
   std::vector<float> heights, walls;
   for (int k = 0; k < kDirections; ++k) {
     const double angle = 2 * kPi * k / kDirections;
     const cv::Point2f direction(static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)));
-    const float reach = reachOf(outline, centre, direction);
+    const float reach = std::min(farthest, reachOf(outline, centre, direction));
     float height = kUnseen;
     for (float at = reach - kCellM; at < reach + std::max(kMinReachM, kReach * reach); at += kCellM / 2) {
       height = std::max(height, highest.at(centre + at * direction));

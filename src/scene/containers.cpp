@@ -15,6 +15,7 @@ namespace objectness {
 namespace {
 
 constexpr double kMinFloorM2 = 0.03;                   // a disc of 20 cm: plates and bowls have smaller floors
+constexpr float kMaxFloorM = 2;                        // the floor of a room is none
 constexpr double kBridgeM = 0.006;                     // of a wall that depth has holes in
 constexpr float kLevelCosine = 0.966f;                 // 15 deg
 constexpr double kMaxTiltDeg = 8;                      // of the floor against the table
@@ -175,7 +176,8 @@ class FloorFinder {
       around.points(corners);
       container.outline.assign(corners, corners + 4);
     }
-    return cv::contourArea(container.outline) >= kMinFloorM2;
+    return cv::contourArea(container.outline) >= kMinFloorM2 &&
+           std::max(around.size.width, around.size.height) <= kMaxFloorM;
   }
 
   const Enclosed& part_;

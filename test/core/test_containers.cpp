@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "../src/common/convex_area.hpp"
 #include "../src/scene/container_walls.hpp"
 #include "fixtures/ray_cast.hpp"
 #include "objectness_segmentation/pipeline.hpp"
@@ -176,7 +177,7 @@ TEST(Containers, WhatIsFarBehindTheWallsDoesNotMatter) {
   std::vector<cv::Point2f> places = {{1e9f, -1e9f}, {-3e4f, 60}, {std::nanf(""), 0}};
   std::vector<float> heights = {0.05f, 0.05f, 0.05f};
   EXPECT_FALSE(wallHeight(floor, places, heights, 0.003f));
-  const FloorArea area(floor, 0.004);
-  EXPECT_TRUE(area.contains({0, 0}));
-  for (const auto& place : places) EXPECT_FALSE(area.contains(place));
+  const ConvexArea area(floor);
+  EXPECT_TRUE(area.contains({0, 0}, -0.004f));
+  for (const auto& place : places) EXPECT_FALSE(area.contains(place, -0.004f));
 }

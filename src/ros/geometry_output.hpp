@@ -10,29 +10,19 @@
 
 namespace objectness_segmentation {
 
-inline geometry_msgs::Point toPoint(const Eigen::Vector3d& p) {
-  geometry_msgs::Point point;
-  point.x = p.x();
-  point.y = p.y();
-  point.z = p.z();
-  return point;
+/// Of a message with the fields x, y and z.
+template <class Message>
+Message toXyz(const Eigen::Vector3d& p) {
+  Message message;
+  message.x = static_cast<decltype(message.x)>(p.x());
+  message.y = static_cast<decltype(message.y)>(p.y());
+  message.z = static_cast<decltype(message.z)>(p.z());
+  return message;
 }
 
-inline geometry_msgs::Point32 toPoint32(const Eigen::Vector3d& p) {
-  geometry_msgs::Point32 point;
-  point.x = static_cast<float>(p.x());
-  point.y = static_cast<float>(p.y());
-  point.z = static_cast<float>(p.z());
-  return point;
-}
-
-inline geometry_msgs::Vector3 toVector3(const Eigen::Vector3d& v) {
-  geometry_msgs::Vector3 vector;
-  vector.x = v.x();
-  vector.y = v.y();
-  vector.z = v.z();
-  return vector;
-}
+inline geometry_msgs::Point toPoint(const Eigen::Vector3d& p) { return toXyz<geometry_msgs::Point>(p); }
+inline geometry_msgs::Point32 toPoint32(const Eigen::Vector3d& p) { return toXyz<geometry_msgs::Point32>(p); }
+inline geometry_msgs::Vector3 toVector3(const Eigen::Vector3d& v) { return toXyz<geometry_msgs::Vector3>(v); }
 
 /// The quaternion is a unit one to rounding, as rviz and tf demand.
 inline geometry_msgs::Pose toPose(const Eigen::Isometry3d& transform) {

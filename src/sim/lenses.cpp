@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/sim/lenses.hpp"
 
-#include <algorithm>
+#include "named.hpp"
 
 namespace objectness::sim {
 namespace {
@@ -22,14 +22,10 @@ const std::vector<Lens>& lenses() {
 }
 
 const PinholeCamera* findLens(const std::string& name) {
-  const auto found = std::find_if(lenses().begin(), lenses().end(), [&](const Lens& l) { return l.name == name; });
-  return found == lenses().end() ? nullptr : &found->camera;
+  const Lens* found = findNamed(lenses(), name);
+  return found ? &found->camera : nullptr;
 }
 
-std::string lensNames() {
-  std::string names;
-  for (const Lens& lens : lenses()) names += (names.empty() ? "" : ", ") + lens.name;
-  return names;
-}
+std::string lensNames() { return namesOf(lenses()); }
 
 }  // namespace objectness::sim

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/sim/levels.hpp"
 
-#include <algorithm>
+#include "named.hpp"
 
 namespace objectness::sim {
 
@@ -74,15 +74,8 @@ const std::vector<Level>& levels() {
   return both;
 }
 
-const Level* findLevel(const std::string& name) {
-  const auto found = std::find_if(levels().begin(), levels().end(), [&](const Level& l) { return l.name == name; });
-  return found == levels().end() ? nullptr : &*found;
-}
+const Level* findLevel(const std::string& name) { return findNamed(levels(), name); }
 
-std::string levelNames() {
-  std::string names;
-  for (const Level& level : levels()) names += (names.empty() ? "" : ", ") + level.name;
-  return names;
-}
+std::string levelNames() { return namesOf(levels()); }
 
 }  // namespace objectness::sim

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "fixtures/temporary_folder.hpp"
+#include "fixtures/thing_without_depth.hpp"
 #include "objectness_segmentation/common/color_palette.hpp"
 #include "objectness_segmentation/io/overlay.hpp"
 #include "objectness_segmentation/io/result_writer.hpp"
@@ -99,12 +100,7 @@ TEST(ResultWriter, JsonHoldsEverything) {
 TEST(ResultWriter, ThingsWithoutDepthAreAList) {
   Sample sample;
   EXPECT_EQ(nlohmann::json::parse(toJson("", sample.result))["unmeasured"], nlohmann::json::array());
-  Unmeasured thing;
-  thing.outline = {{0, 0.5, 1}, {0.25, 0.5, 1}, {0, 0.5, 1.5}};
-  thing.pixels = 1234;
-  thing.area_m2 = 0.0625;
-  thing.table_share = 0.75;
-  thing.noise_ratio = 4.5;
+  Unmeasured thing = thingWithoutDepth();
   sample.result.unmeasured.push_back(thing);
   thing.box = sample.result.segments[0].box;
   sample.result.unmeasured.push_back(thing);

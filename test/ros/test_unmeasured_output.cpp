@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "fixtures/thing_without_depth.hpp"
 #include "objectness_segmentation/ros/output_conversions.hpp"
 #include "two_objects.hpp"
 
@@ -15,12 +16,7 @@ using visualization_msgs::Marker;
 /// Two things without depth on the table, the second with a box.
 SegmentedFrame withUnmeasured() {
   SegmentedFrame result = makeResult();
-  objectness::Unmeasured thing;
-  thing.outline = {{0, 0, 1}, {0, 0.25, 1}, {0.25, 0.25, 1}};
-  thing.pixels = 321;
-  thing.area_m2 = 0.03125;
-  thing.table_share = 0.875;
-  thing.noise_ratio = 5;
+  objectness::Unmeasured thing = thingWithoutDepth();
   result.segmentation.unmeasured.push_back(thing);
   thing.box = result.segmentation.segments[1].box;
   result.segmentation.unmeasured.push_back(thing);
@@ -44,13 +40,13 @@ TEST(UnmeasuredMessage, HoldsEverythingAndIsNoObject) {
   ASSERT_EQ(message.unmeasured.size(), 2u);
   const Unmeasured &flat = message.unmeasured[0], &tall = message.unmeasured[1];
   ASSERT_EQ(flat.outline.points.size(), 3u);
-  EXPECT_EQ(flat.outline.points[2].x, 0.25f);
-  EXPECT_EQ(flat.outline.points[1].y, 0.25f);
-  EXPECT_EQ(flat.outline.points[0].z, 1.f);
-  EXPECT_EQ(flat.pixels, 321u);
-  EXPECT_EQ(flat.area, 0.03125f);
-  EXPECT_EQ(flat.table_share, 0.875f);
-  EXPECT_EQ(flat.noise_ratio, 5.f);
+  EXPECT_EQ(flat.outline.points[1].x, 0.25f);
+  EXPECT_EQ(flat.outline.points[0].y, 0.5f);
+  EXPECT_EQ(flat.outline.points[2].z, 1.5f);
+  EXPECT_EQ(flat.pixels, 1234u);
+  EXPECT_EQ(flat.area, 0.0625f);
+  EXPECT_EQ(flat.table_share, 0.75f);
+  EXPECT_EQ(flat.noise_ratio, 4.5f);
   EXPECT_FALSE(flat.has_box);
   EXPECT_EQ(flat.pose.orientation.w, 1);
   EXPECT_EQ(flat.dimensions.x, 0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "finished_segments.hpp"
 
+#include "objectness_segmentation/segments/unmeasured.hpp"
 #include "segments/background.hpp"
 #include "segments/whole_boxes.hpp"
 
@@ -18,6 +19,13 @@ void finishSegments(const Frame& frame, const Config& config, const Stages& stag
     completeBoxes(frame, result.normals, result.table, result.object_points, result.labels, result.segments,
                   config.runtime.threads);
   });
+  if (config.unmeasured.report) {
+    result.unmeasured = stage("unmeasured", [&] {
+      return findUnmeasured(frame, result.table, result.object_points, result.labels, result.segments,
+                            config.unmeasured);
+    });
+    stage.count("unmeasured", result.unmeasured.size());
+  }
   stage.count("segments", result.segments.size());
 }
 

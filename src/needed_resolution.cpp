@@ -55,6 +55,7 @@ void spreadOverPixels(const Frame& frame, const Frame& coarse, int factor, int t
     if (blocks[i] < 0 || segment_of[blocks[i]] < 0) continue;
     result.segments[segment_of[blocks[i]]].pixels.push_back(static_cast<int>(i));
   }
+  for (Unmeasured& thing : result.unmeasured) thing.pixels *= factor * factor;
   keepMeasured(frame.bridged, result.segments);
   dropEmpty(result.segments);
   const bool labelled = !result.object_points.on_table.empty() && result.status.ok();

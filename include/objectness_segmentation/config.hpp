@@ -16,6 +16,7 @@
 #include "objectness_segmentation/scene/table.hpp"
 #include "objectness_segmentation/search/search_config.hpp"
 #include "objectness_segmentation/segments/segments_config.hpp"
+#include "objectness_segmentation/segments/unmeasured.hpp"
 #include "objectness_segmentation/selection/selection_config.hpp"
 #include "objectness_segmentation/tracking/tracker.hpp"
 
@@ -53,6 +54,7 @@ struct Config {
   GroupingConfig grouping;
   SegmentsConfig segments;
   BackgroundConfig background;
+  UnmeasuredConfig unmeasured;
   TrackingConfig tracking;  ///< from frame to frame: not used by segment()
   RuntimeConfig runtime;
 
@@ -78,6 +80,7 @@ struct Config {
     visit("group_cues", self.grouping.cues);
     visit("segments", self.segments);
     visit("background", self.background);
+    visit("unmeasured", self.unmeasured);
     visit("tracking", self.tracking);
     visit("runtime", self.runtime);
   }

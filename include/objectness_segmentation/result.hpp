@@ -9,6 +9,7 @@
 #include "objectness_segmentation/common/stage_timer.hpp"
 #include "objectness_segmentation/scene_observation.hpp"
 #include "objectness_segmentation/segments/segment.hpp"
+#include "objectness_segmentation/segments/unmeasured.hpp"
 
 namespace objectness {
 
@@ -29,8 +30,9 @@ struct Segmentation : SceneObservation {
   /// What the objects were chosen among, best objectness first: the boxes of all groups, or for the paper's method what
   /// the filtering of Sec. 4.1 leaves.
   std::vector<RankedBox> proposals;
-  std::vector<Segment> segments;  ///< best objectness first
-  cv::Mat_<ushort> labels;        ///< H x W: 0 nothing, 1 table, 2 + i: segments[i]
+  std::vector<Segment> segments;       ///< best objectness first
+  cv::Mat_<ushort> labels;             ///< H x W: 0 nothing, 1 table, 2 + i: segments[i]
+  std::vector<Unmeasured> unmeasured;  ///< things without depth on the table; labels are 0 there
   Report report;
 };
 

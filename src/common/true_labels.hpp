@@ -5,8 +5,12 @@
 
 namespace objectness {
 
-// Labels of true label images (labels.png of a scene folder, SceneImages::true_labels): 0 void, 1 to 9 table, 20 to 29
-// the parts of object 0, 30 to 39 those of object 1, ... Label images of results have other ones (kFirstObjectLabel).
+// Labels of true label images (labels.png of a scene folder, SceneImages::true_labels): 0 void, 1 to 9 table and other
+// background that no segment may be on, 20 to 29 the parts of object 0, 30 to 39 those of object 1, ... Label images of
+// results have other ones (kFirstObjectLabel).
+// In simulated scenes 1 is the table, and these are:
+constexpr int kStageLabel = 2;   ///< a tray, tote or shelf
+constexpr int kAroundLabel = 3;  ///< what stands around the table: an arm, a rack, ...
 constexpr int kFirstTrueLabel = 20;
 constexpr int kTrueLabelsPerObject = 10;
 

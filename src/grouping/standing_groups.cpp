@@ -12,10 +12,13 @@ namespace objectness {
 namespace {
 
 constexpr double kMinAreaM2 = 0.0012;
-constexpr double kSigmas = 1.9;     // of a single pixel, for the median of hundreds
-constexpr double kMinSolid = 0.75;  // share of the convex hull in the picture; what noise leaves is ragged
+constexpr double kSigmas = 1.9;      // of a single pixel, for the median of hundreds
+constexpr double kSigmasRagged = 5;  // what noise leaves is ragged
+constexpr double kMinSolid = 0.75;   // share of the convex hull in the picture; less is ragged
+constexpr float kFootM = 0.04f;      // what stands on the table is seen down to here
+constexpr double kLowest = 0.05;     // share of its points
 constexpr int kBesidePx = 3;
-constexpr double kMinOnTable = 0.7;  // share of what is seen beside it
+constexpr double kMinOnSupport = 0.7;  // share of table, or of a tray, in what is seen beside it
 
 /// Whether connected pieces stand alone on the table.
 class StandingParts {
@@ -27,7 +30,8 @@ class StandingParts {
     double area_m2 = 0, depths = 0;
     std::vector<float> heights;
     std::vector<cv::Point> pixels, hull;
-    int beside = 0, on_table = 0;
+    int beside = 0, on_support = 0;
+    bool in_container = false;  // whose floor may lie higher
     for (const int k : members) {
       area_m2 += pieces_.pieces[k].area_m2;
       for (const int pixel : pieces_.pieces[k].pixels) {
@@ -36,17 +40,21 @@ class StandingParts {
         for (const cv::Point& step : {cv::Point(kBesidePx, 0), {-kBesidePx, 0}, {0, kBesidePx}, {0, -kBesidePx}}) {
           if (!isBeside(at + step, members)) continue;
           ++beside;
-          on_table += above_.on_table(at + step) != 0;
+          const bool container = above_.container(at + step) != 0;
+          in_container = in_container || container;
+          on_support += container || above_.on_table(at + step) != 0;
         }
         if (!std::isfinite(above_.height_m(at))) continue;  // its gap was bridged
         heights.push_back(above_.height_m(at));
         depths += frame_.points[pixel].z();
       }
     }
-    if (area_m2 < kMinAreaM2 || heights.empty() || on_table < kMinOnTable * beside) return false;
+    if (area_m2 < kMinAreaM2 || heights.empty() || on_support < kMinOnSupport * beside) return false;
+    if (!in_container && shareBelow(kLowest, heights) > kFootM) return false;  // it hangs
+    const double sigmas = shareBelow(0.5, heights) / table_.noise.sigma(depths / static_cast<double>(heights.size()));
     cv::convexHull(pixels, hull);
-    if (static_cast<double>(pixels.size()) < kMinSolid * cv::contourArea(hull)) return false;
-    return shareBelow(0.5, heights) > kSigmas * table_.noise.sigma(depths / static_cast<double>(heights.size()));
+    const bool solid = static_cast<double>(pixels.size()) >= kMinSolid * cv::contourArea(hull);
+    return sigmas > (solid ? kSigmas : kSigmasRagged);
   }
 
  private:

@@ -93,6 +93,14 @@ void drawBox(const PinholeCamera& camera, const OrientedBox& box, const cv::Vec3
   }
 }
 
+/// Of a thing without depth: magenta, as no object is.
+void drawOutline(const PinholeCamera& camera, const Unmeasured& thing, int thickness, cv::Mat& image) {
+  for (std::size_t k = 0; k < thing.outline.size(); ++k) {
+    const auto line = projectLine(camera, thing.outline[k], thing.outline[(k + 1) % thing.outline.size()]);
+    if (line) cv::line(image, line->first, line->second, {255, 0, 255}, 2 * thickness, cv::LINE_AA);
+  }
+}
+
 void drawLabel(const Segment& segment, int label, double scale, cv::Mat& image) {
   if (segment.pixels.empty()) return;
   double u = 0, v = 0;
@@ -119,6 +127,7 @@ cv::Mat_<cv::Vec3b> drawOverlay(const Frame& frame, const Segmentation& result) 
   for (std::size_t k = 0; k < result.segments.size(); ++k) {
     drawBox(frame.camera, result.segments[k].box, bgr(k), thickness, image);
   }
+  for (const Unmeasured& thing : result.unmeasured) drawOutline(frame.camera, thing, thickness, image);
   for (std::size_t k = 0; k < result.segments.size(); ++k)
     drawLabel(result.segments[k], static_cast<int>(k) + kFirstObjectLabel, scale, image);
   return image;

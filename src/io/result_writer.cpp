@@ -49,6 +49,12 @@ Json labelsOf(const std::vector<int>& segments) {
   return labels;
 }
 
+Json toJson(const OrientedBox& box) {
+  return {{"position", toJson(box.T_camera_box.translation())},
+          {"orientation", orientation(box.T_camera_box.linear())},
+          {"size", toJson(box.size_m)}};
+}
+
 Json toJson(const Segment& segment, std::size_t label) {
   return {{"label", label},
           {"position", toJson(segment.box.T_camera_box.translation())},
@@ -65,10 +71,20 @@ Json toJson(const Segment& segment, std::size_t label) {
           {"supported_by", labelOf(segment.support)},
           {"base_height", segment.support.height_m},
           {"supports", labelsOf(segment.carried)},
-          {"visible_box",
-           {{"position", toJson(segment.visible_box.T_camera_box.translation())},
-            {"orientation", orientation(segment.visible_box.T_camera_box.linear())},
-            {"size", toJson(segment.visible_box.size_m)}}}};
+          {"visible_box", toJson(segment.visible_box)}};
+}
+
+Json toJson(const Unmeasured& thing) {
+  Json outline = Json::array();
+  for (const Eigen::Vector3d& corner : thing.outline) outline.push_back(toJson(corner));
+  Json json = {{"outline", outline},
+               {"points", thing.pixels},
+               {"area", thing.area_m2},
+               {"table_share", thing.table_share},
+               {"noise_ratio", thing.noise_ratio},
+               {"box", nullptr}};
+  if (thing.box) json["box"] = toJson(*thing.box);
+  return json;
 }
 
 Json toJson(const Report& report) {
@@ -94,6 +110,8 @@ std::string toJson(const std::string& input, const Segmentation& result) {
   for (std::size_t k = 0; k < result.segments.size(); ++k) {
     json["objects"].push_back(toJson(result.segments[k], k + kFirstObjectLabel));
   }
+  json["unmeasured"] = Json::array();
+  for (const Unmeasured& thing : result.unmeasured) json["unmeasured"].push_back(toJson(thing));
   json["report"] = toJson(result.report);
   // A file name need not be UTF-8: what is not is replaced.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -25,9 +25,7 @@ void DetectionsOutput::publish(const SegmentedFrame& result, const std_msgs::Hea
     vision_msgs::Detection3D detection;
     detection.header = header;
     detection.bbox.center = toPose(segment.box.T_camera_box);
-    detection.bbox.size.x = segment.box.size_m.x();
-    detection.bbox.size.y = segment.box.size_m.y();
-    detection.bbox.size.z = segment.box.size_m.z();
+    detection.bbox.size = toVector3(segment.box.size_m);
     vision_msgs::ObjectHypothesisWithPose hypothesis;
     hypothesis.id = identityOf(result, rank).label;
     hypothesis.score = segment.objectness;

@@ -5,29 +5,15 @@
 #include "objectness_segmentation/ros/output_conversions.hpp"
 #include "ros/geometry_output.hpp"
 #include "ros/marker_parts.hpp"
+#include "ros/unmeasured_output.hpp"
 
 namespace objectness_segmentation {
 namespace {
 
 using visualization_msgs::Marker;
 
-constexpr double kLineWidth = 0.003;   // metres, thin beside the smallest box of 3 cm
 constexpr double kTextHeight = 0.025;  // metres
 constexpr double kArrowLength = 0.1;   // metres
-
-/// The twelve edges of the box, as pairs of points in its own frame.
-void addBoxEdges(const Eigen::Vector3d& size, std::vector<geometry_msgs::Point>& points) {
-  const auto corner = [&size](int i) {
-    return toPoint(Eigen::Vector3d((i & 1) - 0.5, ((i >> 1) & 1) - 0.5, ((i >> 2) & 1) - 0.5).cwiseProduct(size));
-  };
-  for (int from = 0; from < 8; ++from) {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (from & (1 << axis)) continue;
-      points.push_back(corner(from));
-      points.push_back(corner(from | (1 << axis)));
-    }
-  }
-}
 
 const objectness::Rgb kWhite{255, 255, 255};
 
@@ -90,6 +76,7 @@ visualization_msgs::MarkerArray toMarkers(const SegmentedFrame& result, const st
   for (std::size_t rank = 0; rank < segmentation.segments.size(); ++rank) {
     addObject(segmentation.segments[rank], identityOf(result, rank), header, array.markers);
   }
+  addUnmeasured(segmentation.unmeasured, header, array.markers);
   addTable(segmentation.table, header, array.markers);
   return array;
 }

@@ -5,6 +5,7 @@
 #include "ros/cloud_output.hpp"
 #include "ros/geometry_output.hpp"
 #include "ros/table_output.hpp"
+#include "ros/unmeasured_output.hpp"
 
 namespace objectness_segmentation {
 namespace {
@@ -68,9 +69,7 @@ SegmentedObject toObject(const SegmentedFrame& result, std::size_t rank, const s
   object.age = static_cast<float>(identity.age_s);
   object.confidence = static_cast<float>(identity.confidence);
   object.pose = toPose(segment.box.T_camera_box);
-  object.dimensions.x = segment.box.size_m.x();
-  object.dimensions.y = segment.box.size_m.y();
-  object.dimensions.z = segment.box.size_m.z();
+  object.dimensions = toVector3(segment.box.size_m);
   object.objectness = static_cast<float>(segment.objectness);
   object.edge_density = static_cast<float>(segment.cues.edge_density);
   object.outer_edges = static_cast<float>(segment.cues.outer_edges);
@@ -80,9 +79,7 @@ SegmentedObject toObject(const SegmentedFrame& result, std::size_t rank, const s
   object.indices.indices = inputPixels(result, segment.pixels);
   object.cloud = extractCloud(result.frame, segment.pixels, header);
   object.visible_pose = toPose(segment.visible_box.T_camera_box);
-  object.visible_dimensions.x = segment.visible_box.size_m.x();
-  object.visible_dimensions.y = segment.visible_box.size_m.y();
-  object.visible_dimensions.z = segment.visible_box.size_m.z();
+  object.visible_dimensions = toVector3(segment.visible_box.size_m);
   object.round = segment.round;
   object.supported_by = supportOf(result, segment.support);
   object.base_height = static_cast<float>(segment.support.height_m);
@@ -112,6 +109,7 @@ SegmentedObjectArray toObjectsMessage(const SegmentedFrame& result, const std_ms
   for (std::size_t rank = 0; rank < count; ++rank) {
     message.objects.push_back(toObject(result, rank, header));
   }
+  if (segmentation.status.ok()) message.unmeasured = toUnmeasuredMessages(segmentation.unmeasured);
   message.boxes_sampled = countNamed(segmentation.report, "boxes_sampled");
   message.boxes_scored = countNamed(segmentation.report, "boxes_scored");
   message.boxes_passed = countNamed(segmentation.report, "boxes_passed");

@@ -35,6 +35,10 @@ void moveToFrame(SegmentedFrame& result, const Eigen::Isometry3d& T_target_camer
     segment.box.T_camera_box = T_target_camera * segment.box.T_camera_box;
     segment.visible_box.T_camera_box = T_target_camera * segment.visible_box.T_camera_box;
   }
+  for (objectness::Unmeasured& thing : result.segmentation.unmeasured) {
+    for (Eigen::Vector3d& corner : thing.outline) corner = T_target_camera * corner;
+    if (thing.box) thing.box->T_camera_box = T_target_camera * thing.box->T_camera_box;
+  }
   for (objectness::RankedBox& proposal : result.segmentation.proposals) {
     proposal.box.T_camera_box = T_target_camera * proposal.box.T_camera_box;
   }

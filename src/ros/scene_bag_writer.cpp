@@ -39,9 +39,7 @@ SegmentedObject toObject(const TrueObject& truth, const std::vector<int>& pixels
   object.header = object.indices.header = header;
   object.label = static_cast<std::uint32_t>(truth.label);
   object.pose = toPose(truth.box.T_camera_box);
-  object.dimensions.x = truth.box.size_m.x();
-  object.dimensions.y = truth.box.size_m.y();
-  object.dimensions.z = truth.box.size_m.z();
+  object.dimensions = toVector3(truth.box.size_m);
   object.indices.indices.assign(pixels.begin(), pixels.end());
   object.cloud = extractCloud(frame, pixels, header);
   return object;

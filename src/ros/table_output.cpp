@@ -23,11 +23,7 @@ SegmentedTable toTableMessage(const SegmentedFrame& result, const std_msgs::Head
   const Eigen::Isometry3d T_camera_table = table.T_table_camera.inverse();
   message.pose = toPose(T_camera_table);
   for (const Eigen::Vector2d& corner : table.hull) {
-    const Eigen::Vector3f p = (T_camera_table * Eigen::Vector3d(corner.x(), corner.y(), 0)).cast<float>();
-    message.polygon.points.emplace_back();
-    message.polygon.points.back().x = p.x();
-    message.polygon.points.back().y = p.y();
-    message.polygon.points.back().z = p.z();
+    message.polygon.points.push_back(toPoint32(T_camera_table * Eigen::Vector3d(corner.x(), corner.y(), 0)));
   }
   for (const char side : table.hull_measured) message.measured.push_back(side != 0);
   return message;

@@ -39,74 +39,56 @@ float reachOf(const std::vector<cv::Point2f>& outline, const cv::Point2f& from, 
   return reach;
 }
 
-/// The highest point in each cell of a plan.
-class HighestInCells {
- public:
-  HighestInCells(const std::vector<cv::Point2f>& places, const std::vector<float>& over_floor_m) {
-    cv::Point2f high = origin_ = places.front();
-    for (const auto& p : places) {
-      origin_ = {std::min(origin_.x, p.x), std::min(origin_.y, p.y)};
+/// A plan of an outline and of what is `around_m` around it.
+struct Plan {
+  cv::Point2f origin;
+  cv::Size cells;
+
+  Plan(const std::vector<cv::Point2f>& outline, float around_m) {
+    cv::Point2f low = outline.front(), high = low;
+    for (const auto& p : outline) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
       high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     }
-    const cv::Point2f size = high - origin_;
-    cells_ = cv::Mat_<float>(1 + static_cast<int>(size.y / kCellM), 1 + static_cast<int>(size.x / kCellM), kUnseen);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      float& cell = cells_(cellOf(places[i]));
-      cell = std::max(cell, over_floor_m[i]);
-    }
+    const cv::Point2f around(around_m, around_m), size = high - low + 2 * around;
+    origin = low - around;
+    cells = {1 + cvFloor(size.x / kCellM), 1 + cvFloor(size.y / kCellM)};
   }
-
-  float at(const cv::Point2f& place) const {
-    const cv::Point cell = cellOf(place);
-    return cv::Rect({}, cells_.size()).contains(cell) ? cells_(cell) : kUnseen;
+  cv::Point2f inCells(const cv::Point2f& place) const { return (place - origin) / kCellM; }
+  /// Compared before it is rounded: what lies far behind does not fit into a whole number.
+  bool holds(const cv::Point2f& place) const {
+    const cv::Point2f p = inCells(place);
+    return p.x >= 0 && p.y >= 0 && p.x < static_cast<float>(cells.width) && p.y < static_cast<float>(cells.height);
   }
-
- private:
   cv::Point cellOf(const cv::Point2f& place) const {
-    return {cvFloor((place.x - origin_.x) / kCellM), cvFloor((place.y - origin_.y) / kCellM)};
+    const cv::Point2f p = inCells(place);
+    return {cvFloor(p.x), cvFloor(p.y)};
   }
-
-  cv::Mat_<float> cells_;
-  cv::Point2f origin_;
 };
 
 }  // namespace
 
-FloorArea::FloorArea(const std::vector<cv::Point2f>& outline, double margin_m) {
-  cv::Point2f high = origin_ = outline.front();
-  for (const auto& p : outline) {
-    origin_ = {std::min(origin_.x, p.x), std::min(origin_.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  const cv::Point2f size = high - origin_;
-  cells_ = cv::Mat_<uchar>::zeros(1 + cvFloor(size.y / kCellM), 1 + cvFloor(size.x / kCellM));
-  std::vector<cv::Point> corners;
-  for (const auto& p : outline)
-    corners.emplace_back(cvFloor((p.x - origin_.x) / kCellM), cvFloor((p.y - origin_.y) / kCellM));
-  cv::fillConvexPoly(cells_, corners, cv::Scalar(255));
-  cv::copyMakeBorder(cells_, cells_, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
-  origin_ -= cv::Point2f(kCellM, kCellM);
-  const int margin = 2 * static_cast<int>(std::ceil(margin_m / kCellM)) + 1;
-  cv::erode(cells_, cells_, cv::Mat::ones(margin, margin, CV_8U));
-}
-
-bool FloorArea::contains(const cv::Point2f& place) const {
-  const cv::Point cell(cvFloor((place.x - origin_.x) / kCellM), cvFloor((place.y - origin_.y) / kCellM));
-  return cv::Rect({}, cells_.size()).contains(cell) && cells_(cell) != 0;
-}
-
 std::optional<double> wallHeight(const std::vector<cv::Point2f>& outline, const std::vector<cv::Point2f>& places,
                                  const std::vector<float>& over_floor_m, float noise_m) {
-  const HighestInCells highest(places, over_floor_m);
   const cv::Point2f centre = centreOf(outline);
+  float farthest = 0;
+  for (const auto& corner : outline) farthest = std::max(farthest, static_cast<float>(cv::norm(corner - centre)));
+  const Plan plan(outline, std::max(kMinReachM, kReach * farthest));
+  cv::Mat_<float> highest(plan.cells, kUnseen);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (!plan.holds(places[i])) continue;
+    float& cell = highest(plan.cellOf(places[i]));
+    cell = std::max(cell, over_floor_m[i]);
+  }
   std::vector<float> heights, walls;
   for (int k = 0; k < kDirections; ++k) {
     const double angle = 2 * kPi * k / kDirections;
     const cv::Point2f direction(static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)));
-    const float reach = reachOf(outline, centre, direction);
+    const float reach = std::min(farthest, reachOf(outline, centre, direction));
     float height = kUnseen;
     for (float at = reach - kCellM; at < reach + std::max(kMinReachM, kReach * reach); at += kCellM / 2) {
-      height = std::max(height, highest.at(centre + at * direction));
+      const cv::Point2f place = centre + at * direction;
+      if (plan.holds(place)) height = std::max(height, highest(plan.cellOf(place)));
     }
     if (height == kUnseen) continue;
     heights.push_back(height);

@@ -7,17 +7,6 @@
 
 namespace objectness {
 
-/// What lies within a convex outline and at least `margin_m` from it, about; metres.
-class FloorArea {
- public:
-  FloorArea(const std::vector<cv::Point2f>& outline, double margin_m);
-  bool contains(const cv::Point2f& place) const;
-
- private:
-  cv::Mat_<uchar> cells_;
-  cv::Point2f origin_;
-};
-
 /// Height over a floor, metres, of the walls that enclose it on nearly all sides that are seen, and are about equally
 /// high; nothing when there are none.
 /// outline: of the floor, convex, metres; places, over_floor_m: of points in and around it; noise_m: what heights less

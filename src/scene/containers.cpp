@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "common/angles.hpp"
+#include "common/convex_area.hpp"
 #include "common/share_below.hpp"
 #include "scene/container_walls.hpp"
 #include "scene/mask_parts.hpp"
@@ -15,6 +16,7 @@ namespace objectness {
 namespace {
 
 constexpr double kMinFloorM2 = 0.03;                   // a disc of 20 cm: plates and bowls have smaller floors
+constexpr float kMaxFloorM = 2;                        // the floor of a room is none
 constexpr double kBridgeM = 0.006;                     // of a wall that depth has holes in
 constexpr float kLevelCosine = 0.966f;                 // 15 deg
 constexpr double kMaxTiltDeg = 8;                      // of the floor against the table
@@ -24,9 +26,8 @@ constexpr double kMinLayerShare = 0.12;                // of what the walls encl
 constexpr int kFits = 4;
 constexpr double kMinContents = 0.05;  // share of what is seen over the floor
 constexpr int kMinPixels = 200;
-constexpr double kFootM = 0.004;  // of a wall: no part of the floor
-constexpr double kNearWallM = 0.012,
-                 kNearWall = 0.25;  // upright walls are seen this far over the floor; of their height
+constexpr float kFootM = 0.004f;                        // of a wall: no part of the floor
+constexpr float kNearWallM = 0.012f, kNearWall = 0.3f;  // upright walls are seen this far over it; of their height
 constexpr float kSteepCosine = 0.7f;
 constexpr double kRectangular = 0.85;    // share of the rectangle around a floor; a round one fills 0.79
 constexpr double kMinPatchShare = 0.03;  // of the floor; smaller patches of its plane may be anything
@@ -175,7 +176,8 @@ class FloorFinder {
       around.points(corners);
       container.outline.assign(corners, corners + 4);
     }
-    return cv::contourArea(container.outline) >= kMinFloorM2;
+    return cv::contourArea(container.outline) >= kMinFloorM2 &&
+           std::max(around.size.width, around.size.height) <= kMaxFloorM;
   }
 
   const Enclosed& part_;
@@ -187,10 +189,10 @@ class FloorFinder {
 
 /// Whether things are on the floor: an empty container is one itself.
 bool hasContents(const FloorFinder& finder, const Container& container) {
-  const FloorArea area(container.outline, kFootM);
+  const ConvexArea area(container.outline);
   int inside = 0, over = 0;
   for (std::size_t i = 0; i < finder.places().size(); ++i) {
-    if (!area.contains(finder.places()[i])) continue;
+    if (!area.contains(finder.places()[i], -kFootM)) continue;
     ++inside;
     over += finder.overFloor(i, container) > finder.threshold(i);
   }
@@ -231,8 +233,8 @@ ContainerMasks takeContainers(const Frame& frame, const Normals& normals, const 
   HeightMap over_floors = map;
   over_floors.height_m = cv::Mat_<float>(mask.size(), std::nanf(""));
   for (const Container& container : containers) {
-    const FloorArea floor(container.outline, kFootM),
-        clear_of_walls(container.outline, std::max(kNearWallM, kNearWall * container.wall_height_m));
+    const ConvexArea floor(container.outline);
+    const float near_wall_m = std::max(kNearWallM, kNearWall * static_cast<float>(container.wall_height_m));
     for (const int pixel : container.pixels) {
       const int v = pixel / width, u = pixel % width;
       const Eigen::Vector3f place = T_table_camera * frame.points[pixel];
@@ -240,7 +242,7 @@ ContainerMasks takeContainers(const Frame& frame, const Normals& normals, const 
       const bool steep = normals.radius_px[pixel] > 0 && normals.normal[pixel].dot(up) < kSteepCosine;
       const bool on_floor = std::abs(height_m) <= map.threshold_m(v, u);
       const bool like_wall = !on_floor && (steep || height_m > 0.5 * container.wall_height_m);
-      const bool over = (like_wall ? clear_of_walls : floor).contains({place.x(), place.y()});
+      const bool over = floor.contains({place.x(), place.y()}, like_wall ? -near_wall_m : -kFootM);
       taken.all(v, u) = 255;
       if (over && on_floor) taken.floor(v, u) = 255;
       mask(v, u) = 0;

@@ -7,6 +7,13 @@
 #include "common/parallel.hpp"
 
 namespace objectness {
+namespace {
+
+constexpr double kMinLegsM = 0.3, kMinTableM2 = 0.15;  // of a table that stands on a floor
+constexpr int kMinCarried = 50;
+constexpr double kFloorWeight = 0.6;
+
+}  // namespace
 
 TableChoice::TableChoice(const SurfaceSamples& samples, double focal, const std::vector<Plane>& planes,
                          const TableConfig& config)
@@ -66,6 +73,18 @@ bool TableChoice::isTopOfThing(int plane) const {
   return std::any_of(under_[plane].begin(), under_[plane].end(), carriesMore);
 }
 
+/// A plane well under one that may be a table: what stands on a floor are first of all the table's own legs.
+bool TableChoice::isFloor(int plane) const {
+  for (std::size_t i = 0; i < planes_.size(); ++i) {
+    const TableEvidence& over = seen_[i].evidence;
+    if (!judged_[i] || over.seen_m2 < kMinTableM2 || over.carried < kMinCarried) continue;
+    const auto& under = under_[i];
+    const bool is_under = std::find(under.begin(), under.end(), plane) != under.end();
+    if (is_under && planes_[plane].height(seen_[i].middle.cast<float>()) > kMinLegsM) return true;
+  }
+  return false;
+}
+
 int TableChoice::best(int threads) {
   see(threads);
   const int count = static_cast<int>(planes_.size());
@@ -102,7 +121,7 @@ int TableChoice::best(int threads) {
     if (!candidates[i]) continue;
     const bool hidden_counts = !under_[i].empty() && !isTopOfThing(i);
     if (!hidden_counts && seen_[i].evidence.area_m2 < config_.min_area_m2) continue;
-    const double score = seen_[i].evidence.score(planes_[i], hidden_counts);
+    const double score = (isFloor(i) ? kFloorWeight : 1) * seen_[i].evidence.score(planes_[i], hidden_counts);
     if (score > best_score) best_score = score, best = i;
   }
   return best;

@@ -25,6 +25,7 @@ class TableChoice {
   /// Large enough, by what is seen of it or may be hidden.
   bool mayBeTable(int plane) const;
   bool isTopOfThing(int plane) const;
+  bool isFloor(int plane) const;
   void see(int threads);
   void judge(int plane);
 

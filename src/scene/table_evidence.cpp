@@ -16,11 +16,14 @@ constexpr float kUnderM = 0.35f;    // what lies deeper under a table is the flo
 constexpr float kFootM = 0.04f;     // a thing on the plane is seen down to here
 constexpr int kMinFootSamples = 3;
 constexpr int kMinGroup = 6;
+constexpr int kBorderSamples = 2;
+constexpr double kLeaves = 0.5;    // samples at the picture's border, of the square root of all
 constexpr double kMaxOutside = 1;  // samples beside the plane per sample over it
 constexpr float kGapM = 0.015f;
 constexpr double kGapPixels = 3;  // of z / f, per sample
 constexpr float kGapSigmas = 4;
 constexpr double kUnlikely = 0.2;  // weight of groups that are too high or too wide
+constexpr double kLeaving = 0.5;   // of those that leave the picture: an arm, or a thing that is cut off
 constexpr double kNormalView = 40000.0;
 
 constexpr double kNearM = 1.3, kFarM = 3.3;  // full weight of a table up to here, next to none from there
@@ -36,6 +39,7 @@ constexpr double kUnderCosine = 0.9744;  // 13 deg: small planes far apart
 struct Group {
   int count = 0, foot = 0, too_high = 0;
   int outside = 0;
+  int at_border = 0;  ///< of all, at the picture's
   Eigen::Vector2f low = Eigen::Vector2f::Constant(1e9f), high = Eigen::Vector2f::Constant(-1e9f);
 };
 
@@ -122,6 +126,8 @@ TableEvidence judgeTable(const SurfaceSamples& view, const Plane& plane, const S
   for (std::size_t i = 0; i < view.samples.size(); ++i) {
     if (above.data[i] == 0) continue;
     Group& group = groups[labels.ptr<int>()[i]];
+    const int row = static_cast<int>(i) / view.width, column = static_cast<int>(i) % view.width;
+    group.at_border += std::min({row, column, view.height - 1 - row, view.width - 1 - column}) < kBorderSamples;
     if (over_core.data[i] == 0) {
       ++group.outside;
       continue;
@@ -137,10 +143,11 @@ TableEvidence judgeTable(const SurfaceSamples& view, const Plane& plane, const S
   double carried = 0;
   for (const Group& group : groups) {
     if (group.count < kMinGroup || group.foot < kMinFootSamples) continue;
+    const bool leaves = group.at_border > kLeaves * std::sqrt(static_cast<double>(group.count + group.outside));
     const bool unlikely = group.outside > kMaxOutside * group.count || 2 * group.too_high > group.count ||
                           (group.high - group.low).maxCoeff() > wide;
     // A table stands on the floor: what is over the ceiling is not carried, whatever it belongs to.
-    carried += (group.count - group.too_high) * (unlikely ? kUnlikely : 1.0);
+    carried += (group.count - group.too_high) * (unlikely ? kUnlikely : leaves ? kLeaving : 1.0);
   }
   evidence.carried = static_cast<int>(carried * scaleOf(view));
   return evidence;

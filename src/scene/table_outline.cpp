@@ -8,6 +8,7 @@
 
 #include "scene/outline_polygon.hpp"
 #include "scene/plane_grid.hpp"
+#include "scene/projector_shadow.hpp"
 #include "scene/surface_samples.hpp"
 
 namespace objectness {
@@ -15,11 +16,9 @@ namespace {
 
 constexpr double kInwardsM = 0.05, kOutwardsM = 0.07;  // of the core's border, for the edge to be looked for
 constexpr double kStepM = 0.002;
-constexpr int kMinSurfaceSteps = 3;    // less in a row is a speck
-constexpr int kTangentCells = 4;       // each way along the border
-constexpr double kMaxHoleM = 0.02;     // without depth, between the surface and what is behind it
-constexpr double kMaxBaselineM = 0.1;  // between a camera and its projector
-constexpr double kShadowSpillPx = 3;
+constexpr int kMinSurfaceSteps = 3;                    // less in a row is a speck
+constexpr int kTangentCells = 4;                       // each way along the border
+constexpr double kMaxHoleM = 0.02;                     // without depth, between the surface and what is behind it
 constexpr float kMinToleranceM = 0.006f, kSigmas = 3;  // as of SurfaceSamples
 constexpr std::size_t kNeighbours = 4;
 constexpr double kMaxOutlierM = 0.012;  // from the neighbours' median
@@ -67,8 +66,8 @@ class PlaneView {
   bool mayBeShadow(int from, int to) const {
     const int du = std::abs(to % frame_.width() - from % frame_.width());
     const int dv = std::abs(to / frame_.width() - from / frame_.width());
-    const double parallax = 1.0 / frame_.points[from].z() - 1.0 / frame_.points[to].z();
-    return dv <= du && du <= frame_.camera.fx * kMaxBaselineM * parallax + kShadowSpillPx;
+    const double widest = widestShadowPx(frame_.camera.fx, frame_.points[from].z(), frame_.points[to].z());
+    return dv <= du && du <= widest;
   }
 
  private:

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <opencv2/imgproc.hpp>
 
+#include "common/convex_area.hpp"
 #include "common/share_below.hpp"
 #include "scene/mask_parts.hpp"
 
@@ -31,40 +31,6 @@ constexpr double kMinHeightM = 0.005;
 constexpr float kRoundingM = 1e-6f;
 
 using Outline = std::vector<cv::Point2f>;
-
-/// A convex polygon that is asked for many places.
-class ConvexArea {
- public:
-  ConvexArea() = default;
-  explicit ConvexArea(Outline corners) : corners_(std::move(corners)) {
-    const bool clockwise = cv::contourArea(corners_, true) < 0;
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
-      const cv::Point2f along = corners_[(i + 1) % corners_.size()] - corners_[i];
-      const float length = static_cast<float>(cv::norm(along));
-      if (!(length > 0)) continue;
-      const cv::Point2f inwards = (clockwise ? 1 : -1) * cv::Point2f(along.y, -along.x) / length;
-      sides_.push_back({inwards, inwards.dot(corners_[i])});
-    }
-  }
-
-  /// Whether a place is inside or at most that far outside.
-  bool contains(const cv::Point2f& place, float margin_m) const {
-    float inside = std::numeric_limits<float>::max();  // of the nearest side
-    for (const Side& side : sides_) inside = std::min(inside, side.inwards.dot(place) - side.offset);
-    if (inside < -margin_m - kRoundingM) return false;
-    if (inside > kRoundingM && sides_.size() > 2) return true;
-    // Beyond a corner it may be farther from the polygon than from its sides.
-    return cv::pointPolygonTest(corners_, place, true) >= -margin_m;
-  }
-
- private:
-  struct Side {
-    cv::Point2f inwards;
-    float offset;
-  };
-  Outline corners_;
-  std::vector<Side> sides_;
-};
 
 /// Some points of a thing in the table frame.
 struct Thing {

@@ -12,11 +12,12 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr int kTries = 60;  // to put down one thing
-constexpr double kTableMargin_m = 0.01;
+constexpr double kTableMargin_m = 0.01, kStageMargin_m = 0.002;
 constexpr double kMaxTouchingGap_m = 0.002;
 constexpr double kMaxGapBehind_m = 0.1, kMaxAside_deg = 25;
 // What touches by construction is apart by this much of rounding at most.
 constexpr double kRounding_m = 1e-9;
+constexpr double kAnyGap_m = 1;  // what lies in a bowl is clear of it by construction, within its bound
 
 /// One thing at a time; everything placed so far is in placed_.
 class Arranger {
@@ -52,7 +53,13 @@ class Arranger {
       return fits(candidate, nullptr, 0) ? std::optional(candidate) : std::nullopt;
     }
     if (how == &Level::Chances::beside) return proposeBeside(yaw, other);
-    const std::optional<Placed> candidate = how == &Level::Chances::on
+    if (how == &Level::Chances::within) {
+      const std::optional<Placed> candidate =
+          placeWithin(makeThing(random_.pick(level_.fillings), random_), other, random_);
+      return candidate && fits(*candidate, &other, -kAnyGap_m) ? candidate : std::nullopt;
+    }
+    const std::optional<Placed> candidate = how == &Level::Chances::flush ? placeFlush(other, random_)
+                                            : how == &Level::Chances::on
                                                 ? placeOn(drawThing(), other, random_)
                                                 : placeLeaning(makeSlab(random_), other, random_);
     return candidate && fits(*candidate, &other, -kRounding_m) ? candidate : std::nullopt;
@@ -73,6 +80,11 @@ class Arranger {
   Thing drawThing() { return makeThing(random_.pick(level_.kinds), random_); }
 
   Vector2d drawPosition() {
+    if (area_.stage) {
+      const double x = random_.uniform(-1, 1), y = random_.uniform(-1, 1);
+      return (area_.stage->T_world_stage * Eigen::Vector3d(x * area_.stage->half.x(), y * area_.stage->half.y(), 0))
+          .head<2>();
+    }
     const double r = area_.radius_m * std::sqrt(random_.uniform(0, 1)), angle = random_.uniform(-kPi, kPi);
     return area_.viewpoint.target.head<2>() + r * Vector2d(std::cos(angle), std::sin(angle));
   }
@@ -81,7 +93,7 @@ class Arranger {
   bool fits(const Placed& candidate, const Placed* partner, double gap_to_partner_m) const {
     for (const ConvexBound& bound : candidate.bounds) {
       for (const Eigen::Vector3d& corner : bound.corners()) {
-        if (!area_.table.covers(corner.head<2>(), kTableMargin_m)) return false;
+        if (!area_.covers(corner)) return false;
       }
     }
     if (!isInView(candidate, area_.viewpoint, area_.camera)) return false;
@@ -97,8 +109,8 @@ class Arranger {
 };
 
 using Way = double Level::Chances::*;
-const Way kWays[] = {&Level::Chances::apart, &Level::Chances::behind, &Level::Chances::beside, &Level::Chances::on,
-                     &Level::Chances::leaning};
+const Way kWays[] = {&Level::Chances::apart,   &Level::Chances::behind, &Level::Chances::beside, &Level::Chances::on,
+                     &Level::Chances::leaning, &Level::Chances::flush,  &Level::Chances::within};
 
 Way drawWay(const Level::Chances& chances, Random& random) {
   double sum = 0;
@@ -119,6 +131,10 @@ Way characteristicWay(const Level::Chances& chances) {
 }
 
 }  // namespace
+
+bool Area::covers(const Eigen::Vector3d& point) const {
+  return stage ? stage->holds(point, kStageMargin_m) : table.covers(point.head<2>(), kTableMargin_m);
+}
 
 std::vector<Placed> arrange(const Level& level, int count, const Area& area, Random& random) {
   Arranger arranger(level, area, random);

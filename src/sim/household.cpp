@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 
+#include "sim/groceries.hpp"
 #include "sim/profiles.hpp"
+#include "sim/tableware.hpp"
 
 namespace objectness::sim {
 namespace {
@@ -25,8 +28,7 @@ Thing drawBox(Random& random) {
 
 Thing drawCylinder(Random& random) {
   const double radius = random.uniform(0.025, 0.06), height = random.uniform(0.06, 0.22);
-  const double half = kSquareInCircle * radius;
-  return {"cylinder", {cylinder(radius, height)}, true, {half, half}};
+  return {"cylinder", {cylinder(radius, height)}, true, squareIn(radius)};
 }
 
 Thing drawCone(Random& random) {
@@ -40,7 +42,10 @@ Thing drawSphere(Random& random) { return {"sphere", {sphere(random.uniform(0.03
 Thing drawBowl(Random& random) {
   const double radius = random.uniform(0.07, 0.12), centre_z = radius * random.uniform(0.86, 0.93);
   const double height = centre_z * random.uniform(0.55, 0.85);
-  return {"bowl", {bowl(radius, height, 0.005, centre_z)}, false, {0, 0}};
+  const double thickness = 0.005, inner = radius - thickness, floor_z = centre_z - thickness;
+  Thing thing{"bowl", {bowl(radius, height, thickness, centre_z)}, false, {0, 0}};
+  thing.hollow = Hollow{thickness, std::sqrt(inner * inner - floor_z * floor_z), centre_z, inner};
+  return thing;
 }
 
 Thing drawMug(Random& random) {
@@ -60,15 +65,26 @@ Thing drawBottle(Random& random) {
 
 Eigen::AlignedBox3d Thing::box() const {
   Eigen::AlignedBox3d all;
-  for (const Shape& part : parts) all.extend(bounds(part));
+  for (const Part& part : parts) {
+    const Eigen::AlignedBox3d box = bounds(part.shape);
+    for (int i = 0; i < 8; ++i) {
+      all.extend(part.T_thing_part * box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
+    }
+  }
   return all;
 }
 
+Eigen::Vector2d squareIn(double top_radius) { return Eigen::Vector2d::Constant(kSquareInCircle * top_radius); }
+
 Thing makeThing(const std::string& kind, Random& random) {
-  static const std::map<std::string, Thing (*)(Random&)> makers{
+  static const std::map<std::string, Maker> makers{
       {"box", drawBox},   {"cylinder", drawCylinder}, {"cone", drawCone},    {"sphere", drawSphere},
       {"bowl", drawBowl}, {"mug", drawMug},           {"bottle", drawBottle}};
-  return makers.at(kind)(random);
+  for (const auto* more : {&makers, &tablewareMakers(), &groceryMakers()}) {
+    const auto found = more->find(kind);
+    if (found != more->end()) return found->second(random);
+  }
+  throw std::out_of_range("no thing is called " + kind);
 }
 
 Thing makeSlab(Random& random) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <string>
 
 #include "common/angles.hpp"
 
@@ -17,10 +19,18 @@ using Eigen::Vector3d;
 constexpr double kFar_m = 1;  // two things this far from each other have a gap
 constexpr int kBisections = 50;
 constexpr double kMostOffset = 0.15;  // of what is stacked from its support's middle, as a share of the support's width
-constexpr double kMostOverhang = 1.3;                      // of its width over the support's
+constexpr double kMostOverhang = 1.3;  // of its width over the support's
+constexpr double kMostFlushOffset_m = 0.003, kHighestStack_m = 0.45;
+constexpr double kWallMargin_m = 0.001;                    // of what lies in a bowl from the bowl's wall
 constexpr double kLeastLean_deg = 58, kMostLean_deg = 80;  // from the table
 // A slab that touches its support at a smaller share of its length would tip over it.
 constexpr double kLeastContact = 0.55;
+
+// What rolls off a box, or lies on it by a small part of its length.
+const std::set<std::string> kUnsteady{"sphere", "fruit",       "lying can", "marker",
+                                      "pen",    "screwdriver", "hammer",    "banana"};
+// What is piled up in line with others of its kind.
+const std::set<std::string> kPiled{"box", "packet", "cylinder", "can"};
 
 Vector2d direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
@@ -34,10 +44,10 @@ double yawOf(const Placed& placed) {
 Placed place(const Thing& thing, const Isometry3d& T_world_thing) {
   Placed placed{thing, T_world_thing, true, {}};
   placed.upright = T_world_thing.linear()(2, 2) > 1 - 1e-9;
-  for (const Shape& part : thing.parts) {
-    const Eigen::AlignedBox3d box = sim::bounds(part);
-    placed.bounds.push_back({T_world_thing * Eigen::Translation3d(box.center()), box.sizes() / 2,
-                             std::holds_alternative<Revolution>(part)});
+  for (const Part& part : thing.parts) {
+    const Eigen::AlignedBox3d box = sim::bounds(part.shape);
+    placed.bounds.push_back({T_world_thing * part.T_thing_part * Eigen::Translation3d(box.center()), box.sizes() / 2,
+                             std::holds_alternative<Revolution>(part.shape)});
   }
   return placed;
 }
@@ -68,7 +78,8 @@ Placed placeBeside(const Thing& thing, double yaw, const Placed& neighbour, doub
 std::optional<Placed> placeOn(const Thing& thing, const Placed& support, Random& random) {
   const Vector2d& top = support.thing.top_half;
   const Vector3d size = thing.box().sizes();
-  if (!support.upright || thing.kind == "sphere" || size.head<2>().minCoeff() / 2 > kMostOverhang * top.minCoeff() ||
+  if (!support.upright || kUnsteady.count(thing.kind) ||
+      size.head<2>().minCoeff() / 2 > kMostOverhang * top.minCoeff() ||
       size.head<2>().maxCoeff() / 2 > kMostOverhang * top.maxCoeff()) {
     return {};
   }
@@ -78,6 +89,38 @@ std::optional<Placed> placeOn(const Thing& thing, const Placed& support, Random&
   const double yaw = yawOf(support) + (crosswise ? kPi / 2 : 0) + random.uniform(-0.25, 0.25);
   const Vector2d offset = Eigen::Rotation2Dd(yawOf(support)) * Vector2d(x, y);
   return place(thing, Vector2d(support.position() + offset), support.top_z(), yaw);
+}
+
+std::optional<Placed> placeFlush(const Placed& support, Random& random) {
+  const Thing& thing = support.thing;
+  const double x = random.uniform(-kMostFlushOffset_m, kMostFlushOffset_m);
+  const double y = random.uniform(-kMostFlushOffset_m, kMostFlushOffset_m);
+  const bool exact = random.chance(0.5);
+  if (!kPiled.count(thing.kind) || !support.upright || support.top_z() + thing.height() > kHighestStack_m) return {};
+  const Vector2d offset = exact ? Vector2d(0, 0) : Vector2d(x, y);
+  return place(thing, Vector2d(support.position() + offset), support.top_z(), yawOf(support));
+}
+
+std::optional<Placed> placeWithin(const Thing& thing, const Placed& support, Random& random) {
+  const double share = std::sqrt(random.uniform(0, 1)), angle = random.uniform(-kPi, kPi);
+  const double yaw = random.uniform(-kPi, kPi);
+  if (!support.upright || !support.thing.hollow) return {};
+  const Hollow& hollow = *support.thing.hollow;
+  const Eigen::AlignedBox3d box = thing.box();
+  double room_m = hollow.floor_radius - kWallMargin_m;
+  if (thing.kind == "fruit" && hollow.ball_radius > 0) {
+    const double radius = box.sizes().z() / 2, below_m = hollow.ball_z - hollow.floor_z - radius;
+    const double free_m = hollow.ball_radius - kWallMargin_m - radius;
+    if (free_m < std::abs(below_m)) return {};
+    room_m = std::min(room_m, std::sqrt(free_m * free_m - below_m * below_m));
+  } else {
+    const bool round = thing.parts.size() == 1 && std::holds_alternative<Revolution>(thing.parts.front().shape);
+    room_m -= round ? box.max().x() : box.max().cwiseAbs().cwiseMax(box.min().cwiseAbs()).head<2>().norm();
+  }
+  if (room_m < 0) return {};
+  const Vector2d offset = room_m * share * direction(angle);
+  const double floor_z = support.T_world_thing.translation().z() + hollow.floor_z;
+  return place(thing, Vector2d(support.position() + offset), floor_z, yaw);
 }
 
 std::optional<Placed> placeLeaning(const Thing& slab, const Placed& support, Random& random) {

@@ -35,6 +35,14 @@ Placed placeBeside(const Thing& thing, double yaw, const Placed& neighbour, doub
 /// is too small, or the thing would roll off.
 std::optional<Placed> placeOn(const Thing& thing, const Placed& support, Random& random);
 
+/// A thing of the size of `support` on it, in line with it to the millimetre or to 3 mm. Nothing when it is none that
+/// is stacked so, or the stack would be too high.
+std::optional<Placed> placeFlush(const Placed& support, Random& random);
+
+/// On the floor of the bowl, plate or pan that `support` is, clear of its wall. Nothing when it is none of these or has
+/// no room for the thing; whether something else lies there is not looked at.
+std::optional<Placed> placeWithin(const Thing& thing, const Placed& support, Random& random);
+
 /// A slab whose lower edge stands on the table and which leans at a side of `support`: its face touches the support's
 /// upper edge, or its upper edge the support's face when it is too short for that. It would not tip over to either
 /// side. Nothing when the support has no upright side to lean at or the slab is too long.

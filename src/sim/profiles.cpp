@@ -40,6 +40,23 @@ Revolution cup(double radius, double height, double thickness) {
   return {{{0, 0}, {radius, 0}, {radius, height}, {inner, height}, {inner, thickness}, {0, thickness}}};
 }
 
+Revolution dish(double radius, double height, double thickness, double floor_radius) {
+  return {{{0, 0},
+           {floor_radius, 0},
+           {radius, height},
+           {radius - thickness, height},
+           {floor_radius, thickness},
+           {0, thickness}}};
+}
+
+Revolution lid(double radius, double rim_height, double height, double knob_radius, double knob_height) {
+  // The centre of the sphere is as far from the rim as from the foot of the knob.
+  const double centre_z = (knob_radius * knob_radius + height * height - radius * radius - rim_height * rim_height) /
+                          (2 * (height - rim_height));
+  const double top = height + knob_height;
+  return {{{0, 0}, {radius, 0}, {radius, rim_height}, {knob_radius, height, centre_z}, {knob_radius, top}, {0, top}}};
+}
+
 Revolution bottle(double radius, double height, double neck_radius, double shoulder_z, double neck_z) {
   return {{{0, 0}, {radius, 0}, {radius, shoulder_z}, {neck_radius, neck_z}, {neck_radius, height}, {0, height}}};
 }

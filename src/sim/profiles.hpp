@@ -21,6 +21,13 @@ Revolution bowl(double radius, double height, double thickness, double centre_z)
 /// Open at the top, walls upright.
 Revolution cup(double radius, double height, double thickness);
 
+/// A plate or pan, open at the top: a flat floor up to floor_radius, and from there a straight wall that leans outwards
+/// up to `radius`. The wall is `thickness` wide at the rim.
+Revolution dish(double radius, double height, double thickness, double floor_radius);
+
+/// A lid with a knob: an upright rim, from there a part of a sphere up to the knob, which starts at height `height`.
+Revolution lid(double radius, double rim_height, double height, double knob_radius, double knob_height);
+
 /// A closed bottle: body, shoulder and neck.
 Revolution bottle(double radius, double height, double neck_radius, double shoulder_z, double neck_z);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/room.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -10,6 +11,8 @@ namespace objectness::sim {
 namespace {
 
 constexpr double kMinSide_m = 0.3, kMaxSide_m = 4, kMinHeight_m = 0.2, kMaxHeight_m = 1.5;
+constexpr std::size_t kWall = 1;  // of the room's bodies
+constexpr double kWallThickness_m = 0.1;
 constexpr double kFootRadius_m = 0.05, kRoom_m = 8, kRoomHeight_m = 3;
 
 Body body(const Shape& shape, const Eigen::Vector3d& position, const cv::Vec3b& color, int label) {
@@ -52,6 +55,11 @@ Result<TableSize> parseTable(const std::string& text) {
   return Table::error(StatusCode::kBadConfig, "a table's height must be 0.2 to 1.5 m");
 }
 
+void moveWallBehind(std::vector<Body>& room, double y_m) {
+  double& y = room[kWall].T_world_body.translation().y();
+  y = std::max(y, y_m + kWallThickness_m);
+}
+
 TableSize drawTable(Random& random) {
   TableSize table;
   table.round = random.chance(0.3);
@@ -72,7 +80,8 @@ std::vector<Body> roomBodies(const TableSize& table, Random& random) {
   const Shape top = table.round ? Shape(cylinder(table.width_m / 2, thickness))
                                 : Shape(Box{{table.width_m, table.depth_m, thickness}});
   return {body(Box{{kRoom_m, kRoom_m, 0.01}}, {0, 0, -table.height_m - 0.01}, floor, 0),
-          body(Box{{kRoom_m, 0.1, kRoomHeight_m}}, {0, wall_y + 0.05, -table.height_m}, paint, 0),
+          body(Box{{kRoom_m, kWallThickness_m, kRoomHeight_m}}, {0, wall_y + kWallThickness_m / 2, -table.height_m},
+               paint, 0),
           body(cylinder(kFootRadius_m, table.height_m - thickness), {0, 0, -table.height_m}, wood, 0),
           body(top, {0, 0, -thickness}, wood, 1)};
 }

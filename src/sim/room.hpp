@@ -28,4 +28,7 @@ TableSize drawTable(Random& random);
 /// The table on its foot (the top has label 1), the floor below and a wall behind it (label 0). World frame: see Scene.
 std::vector<Body> roomBodies(const TableSize& table, Random& random);
 
+/// Moves the wall of roomBodies() back, unless it is farther away already, so that y_m is before it.
+void moveWallBehind(std::vector<Body>& room, double y_m);
+
 }  // namespace objectness::sim

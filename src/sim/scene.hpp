@@ -17,14 +17,23 @@ struct SceneObject {
   Eigen::Vector3d size_m = Eigen::Vector3d::Zero();               ///< of that box
 };
 
-/// A table with what is on and around it. World frame: z up, the table's top is the plane z = 0 about the origin, the
-/// floor lies below, and a wall stands at +y.
+/// What is neither table nor object and yet looked at: a tray, tote or shelf (kStageLabel) or what stands around the
+/// table (kAroundLabel).
+struct SceneBackground {
+  std::string kind;  ///< "tray", "arm", ...
+  int label = 0;
+};
+
+/// A table with what is on and around it. World frame: z up, what the things stand on is the plane z = 0: the table's
+/// top, or the floor of a tray, tote or shelf that stands on the table. The table is about the origin, the floor lies
+/// below, and a wall stands at +y.
 struct Scene {
   std::string level;
   std::vector<Body> bodies;
   std::vector<SceneObject> objects;
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();  ///< optical frame
   Eigen::Vector3d target = Eigen::Vector3d::Zero();                  ///< what the camera looks at, world frame
+  std::vector<SceneBackground> background = {};
 };
 
 /// A camera at `eye` that looks at `target` and is not rolled: T_world_camera, optical frame.

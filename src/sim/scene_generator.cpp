@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "common/true_labels.hpp"
+#include "sim/around.hpp"
 #include "sim/arrangement.hpp"
 #include "sim/surface_view.hpp"
 
@@ -13,14 +14,17 @@ namespace {
 
 constexpr int kAttempts = 1000;  // at a whole scene, each with a little more room than the one before
 constexpr double kMoreRoom = 0.001;
-constexpr int kCoarse_px = 96;  // width of the picture that shows who hides whom
+constexpr std::uint32_t kAroundStream = 256;  // no letter of a level's name
+constexpr int kCoarse_px = 96;                // width of the picture that shows who hides whom
 
 Result<Scene> bad(const std::string& message) { return Result<Scene>::error(StatusCode::kBadConfig, message); }
 
-/// The same for a level whatever others there are.
-std::vector<std::uint32_t> seeds(const SceneRequest& request, int attempt) {
+/// The same for a level whatever others there are. stream: another one, other numbers.
+std::vector<std::uint32_t> seeds(const SceneRequest& request, int attempt,
+                                 const std::optional<std::uint32_t>& stream = {}) {
   std::vector<std::uint32_t> all{request.seed, request.index, static_cast<std::uint32_t>(attempt)};
   all.insert(all.end(), request.level.begin(), request.level.end());
+  if (stream) all.push_back(*stream);
   return all;
 }
 
@@ -28,6 +32,8 @@ std::vector<std::uint32_t> seeds(const SceneRequest& request, int attempt) {
 double roomFor(int count, int attempt) { return (0.08 + 0.09 * std::sqrt(count)) * (1 + kMoreRoom * attempt); }
 
 constexpr int kManyObjects = 20;  // more need a larger table than the usual ones
+constexpr int kLargerTables = 6;
+constexpr double kLarger = 1.15;  // than a table that has no room for what is to stand on it
 
 TableSize drawTableFor(int count, Random& random) {
   TableSize table = drawTable(random);
@@ -37,24 +43,69 @@ TableSize drawTableFor(int count, Random& random) {
   return table;
 }
 
-Area drawArea(const SceneRequest& request, const TableSize& table, const std::optional<Viewpoint>& given, int count,
-              int attempt, Random& random) {
-  Area area{table, {}, request.camera, roomFor(count, attempt)};
-  const double free_x = std::max(0.0, table.width_m / 2 - area.radius_m) * (table.round ? 0.7 : 1);
-  const double free_y = std::max(0.0, table.depth_m / 2 - area.radius_m) * (table.round ? 0.7 : 1);
-  const double x = random.uniform(-free_x, free_x), y = random.uniform(-free_y, free_y);
-  area.viewpoint = given ? *given : drawViewpoint({x, y}, area.radius_m, request.camera, random);
+/// On what stands on the table, which grows as it has to; nothing when the table that was asked for is too small.
+std::optional<Area> drawOnStage(const Level& level, const SceneRequest& request, Area area,
+                                const std::optional<Viewpoint>& given, int count, int attempt, Random& random) {
+  for (int i = 0; i < kLargerTables && !area.stage; ++i) {
+    area.stage = drawStage(level.stage, count, 1 + kMoreRoom * attempt, area.table, random);
+    if (area.stage || request.table) break;
+    area.table.width_m *= kLarger;
+    area.table.depth_m *= kLarger;
+  }
+  if (!area.stage) return {};
+  area.radius_m = area.stage->half.maxCoeff();
+  const Eigen::Vector2d middle = area.stage->T_world_stage.translation().head<2>();
+  area.viewpoint = given ? *given : drawViewpoint(middle, area.radius_m, level.view, area.camera, random);
   return area;
 }
 
-Scene assemble(const std::string& level, const std::vector<Body>& room, const std::vector<Placed>& things,
+std::optional<Area> drawArea(const Level& level, const SceneRequest& request, const TableSize& table,
+                             const std::optional<Viewpoint>& given, int count, int attempt, Random& random) {
+  Area area{table, {}, {}, request.camera, roomFor(count, attempt)};
+  if (level.stage != StageKind::kTable) return drawOnStage(level, request, area, given, count, attempt, random);
+  const double free_x = std::max(0.0, table.width_m / 2 - area.radius_m) * (table.round ? 0.7 : 1);
+  const double free_y = std::max(0.0, table.depth_m / 2 - area.radius_m) * (table.round ? 0.7 : 1);
+  const double x = random.uniform(-free_x, free_x), y = random.uniform(-free_y, free_y);
+  area.viewpoint = given ? *given : drawViewpoint({x, y}, area.radius_m, level.view, request.camera, random);
+  return area;
+}
+
+/// All that is no object.
+struct Background {
+  std::vector<Body> bodies;
+  std::vector<SceneBackground> named;
+};
+
+/// The room, what stands on the table and what stands around it; nothing when there is no room for that.
+std::optional<Background> makeBackground(const SceneRequest& request, const Level& level, const Area& area,
+                                         const std::vector<Placed>& things, int attempt, Random& random) {
+  Background made{roomBodies(area.table, random), {}};
+  std::vector<Body>& bodies = made.bodies;
+  if (area.stage) {
+    made.named.push_back({toString(area.stage->kind), kStageLabel});
+    for (Body& body : bodies) body.T_world_body.translation().z() -= area.stage->floor_m;
+    bodies.insert(bodies.end(), area.stage->bodies.begin(), area.stage->bodies.end());
+  }
+  Random own(seeds(request, attempt, kAroundStream));
+  const Surroundings drawn = level.everyday ? drawSurroundings(own) : Surroundings();
+  const Surroundings wanted = request.around.value_or(drawn);
+  const auto around = drawAround(wanted, area, things, bodies, own);
+  if (!around) return {};
+  bodies.insert(bodies.end(), around->begin(), around->end());
+  Surroundings::visit(wanted, [&](const char* name, bool there) {
+    if (there) made.named.push_back({name, kAroundLabel});
+  });
+  return made;
+}
+
+Scene assemble(const std::string& level, const Background& background, const std::vector<Placed>& things,
                const Viewpoint& viewpoint, Random& random) {
-  Scene scene{level, room, {}, viewpoint.T_world_camera, viewpoint.target};
+  Scene scene{level, background.bodies, {}, viewpoint.T_world_camera, viewpoint.target, background.named};
   for (const Placed& placed : things) {
     const int label = trueLabel(scene.objects.size());
     const cv::Vec3b color = drawColor(random);
-    for (const Shape& part : placed.thing.parts) {
-      scene.bodies.push_back({part, placed.T_world_thing, color, static_cast<ushort>(label)});
+    for (const Part& part : placed.thing.parts) {
+      scene.bodies.push_back({part.shape, placed.T_world_thing * part.T_thing_part, color, static_cast<ushort>(label)});
     }
     const Eigen::AlignedBox3d box = placed.thing.box();
     scene.objects.push_back({placed.thing.kind, label,
@@ -76,7 +127,7 @@ bool looksAsAsked(const Scene& scene, const SceneRequest& request, const Level& 
                              static_cast<int>(camera.height * scale)};
   const SurfaceView view = viewSurfaces(scene.bodies, scene.T_world_camera, coarse, {}, 1);
   int on_table = 0;
-  for (const auto& [label, pixels] : view.pixels_seen) on_table += label > 0 ? pixels : 0;
+  for (const auto& [label, pixels] : view.pixels_seen) on_table += label > 0 && label != kAroundLabel ? pixels : 0;
   const int wanted = static_cast<int>(request.min_table_share * coarse.width * coarse.height);
   if (!request.T_world_camera && on_table < wanted) return false;
   double least = 1;
@@ -115,11 +166,13 @@ Result<Scene> generateScene(const SceneRequest& request) {
     count = request.objects.value_or(drawn_count);
     const TableSize drawn_table = drawTableFor(count, random);
     const TableSize table = request.table.value_or(drawn_table);
-    const Area area = drawArea(request, table, given, count, attempt, random);
-    const std::vector<Placed> things = arrange(*level, count, area, random);
+    const std::optional<Area> area = drawArea(*level, request, table, given, count, attempt, random);
+    if (!area) continue;
+    const std::vector<Placed> things = arrange(*level, count, *area, random);
     if (static_cast<int>(things.size()) < count) continue;
-    const std::vector<Body> room = roomBodies(table, random);
-    const Scene scene = assemble(level->name, room, things, area.viewpoint, random);
+    const auto background = makeBackground(request, *level, *area, things, attempt, random);
+    if (!background) continue;
+    const Scene scene = assemble(level->name, *background, things, area->viewpoint, random);
     if (looksAsAsked(scene, request, *level)) return {{}, scene};
   }
   return bad(describe(request, count));

@@ -40,6 +40,7 @@ SimulatedFrame simulateFrame(const Scene& scene, const Eigen::Isometry3d& T_worl
   const Eigen::Isometry3d T_camera_world = T_world_camera.inverse();
   SimulatedFrame frame;
   frame.level = scene.level;
+  frame.background = scene.background;
   frame.images = takePicture(view, sensor, seed);
   frame.T_world_camera = T_world_camera;
   frame.table_normal = T_camera_world.linear().col(2);

@@ -33,8 +33,9 @@ struct SimulatedFrame {
   SceneImages images;
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();  ///< optical frame
   std::vector<TrueObject> objects;                                   ///< by label, hidden ones included
-  Eigen::Vector3d table_normal = Eigen::Vector3d::Zero();            ///< camera's optical frame, upwards
-  double table_distance_m = 0;                                       ///< of the camera from the table's plane
+  std::vector<SceneBackground> background;                           ///< of the scene
+  Eigen::Vector3d table_normal = Eigen::Vector3d::Zero();  ///< of what they stand on; camera's optical frame, upwards
+  double table_distance_m = 0;                             ///< of the camera from the plane that they stand on
 };
 
 /// The same for the same arguments, with any number of threads.

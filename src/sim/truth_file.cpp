@@ -47,6 +47,17 @@ void emitObjects(const SimulatedFrame& frame, bool hidden, YAML::Emitter& out) {
   out << YAML::EndSeq;
 }
 
+/// What is no object; a table in an empty room has none of it.
+void emitBackground(const SimulatedFrame& frame, YAML::Emitter& out) {
+  if (frame.background.empty()) return;
+  out << YAML::Key << "background" << YAML::Value << YAML::BeginSeq;
+  for (const SceneBackground& background : frame.background) {
+    out << YAML::Flow << YAML::BeginMap << YAML::Key << "label" << YAML::Value << background.label << YAML::Key
+        << "kind" << YAML::Value << background.kind << YAML::EndMap;
+  }
+  out << YAML::EndSeq;
+}
+
 std::string truthText(const SimulatedFrame& frame) {
   YAML::Emitter out;
   out.SetDoublePrecision(kDigits);
@@ -57,6 +68,7 @@ std::string truthText(const SimulatedFrame& frame) {
       << YAML::BeginMap << YAML::Key << "level" << YAML::Value << frame.level;
   out << YAML::Key << "table" << YAML::Value << YAML::BeginMap << YAML::Key << "normal" << YAML::Value
       << frame.table_normal << YAML::Key << "distance_m" << YAML::Value << frame.table_distance_m << YAML::EndMap;
+  emitBackground(frame, out);
   out << YAML::Key << "objects" << YAML::Value;
   emitObjects(frame, false, out);
   out << YAML::Key << "hidden" << YAML::Value;

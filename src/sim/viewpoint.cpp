@@ -13,8 +13,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kMaxTurn_deg = 35;  // from the table's own front; the wall stays behind the table
-constexpr double kMaxRoll_deg = 3;
 constexpr double kTargetHeight_m = 0.05;
 constexpr double kNearest_m = 0.45;  // of a thing to the camera, along the optical axis
 constexpr double kImageMargin_px = 4;
@@ -26,13 +24,15 @@ double Viewpoint::bearing(const Eigen::Vector2d& point) const {
   return std::atan2(away.y(), away.x());
 }
 
-Viewpoint drawViewpoint(const Eigen::Vector2d& target, double radius_m, const PinholeCamera& camera, Random& random) {
+Viewpoint drawViewpoint(const Eigen::Vector2d& target, double radius_m, const ViewRange& range,
+                        const PinholeCamera& camera, Random& random) {
   const double half_view = std::min(camera.width / (2 * camera.fx), 1.2 * camera.height / (2 * camera.fy));
   const double nearest = std::clamp(1.1 * radius_m / half_view, kMinDistance_m, kMaxDistance_m);
   const double distance = random.uniform(nearest, kMaxDistance_m);
-  const double tilt = random.uniform(kMinTilt_deg, kMaxTilt_deg) * kPi / 180;
-  const double turn = random.uniform(-kMaxTurn_deg, kMaxTurn_deg) * kPi / 180;
-  const double roll = random.uniform(-kMaxRoll_deg, kMaxRoll_deg) * kPi / 180;
+  const double tilt = random.uniform(range.min_tilt_deg, range.max_tilt_deg) * kPi / 180;
+  // The turn is from the table's own front, so that the wall stays behind the table.
+  const double turn = random.uniform(-range.max_turn_deg, range.max_turn_deg) * kPi / 180;
+  const double roll = random.uniform(-range.max_roll_deg, range.max_roll_deg) * kPi / 180;
   Viewpoint viewpoint;
   viewpoint.target = {target.x(), target.y(), kTargetHeight_m};
   const Vector3d back(std::sin(turn) * std::cos(tilt), -std::cos(turn) * std::cos(tilt), std::sin(tilt));

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "objectness_segmentation/scene/camera.hpp"
+#include "sim/levels.hpp"
 #include "sim/placement.hpp"
 
 namespace objectness::sim {
@@ -17,8 +18,9 @@ struct Viewpoint {
   double bearing(const Eigen::Vector2d& point) const;
 };
 
-/// A pose that has a disc of that radius on the table about `target` in view.
-Viewpoint drawViewpoint(const Eigen::Vector2d& target, double radius_m, const PinholeCamera& camera, Random& random);
+/// A pose of that range that has a disc of that radius on the table about `target` in view.
+Viewpoint drawViewpoint(const Eigen::Vector2d& target, double radius_m, const ViewRange& range,
+                        const PinholeCamera& camera, Random& random);
 
 /// Where the optical axis meets the table; nothing when it does not.
 std::optional<Viewpoint> givenViewpoint(const Eigen::Isometry3d& T_world_camera);

@@ -66,6 +66,7 @@ std::string makeScene(const std::string& level, int index, const MakeSceneOption
     request.index = static_cast<std::uint32_t>(index);
     request.objects = options.objects;
     request.table = options.table;
+    request.around = options.around;
     request.min_table_share = options.table_share.value_or(request.min_table_share);
     request.camera = options.sensor.camera;
     const Result<Scene> scene = generateScene(request);

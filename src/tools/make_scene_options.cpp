@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "objectness_segmentation/io/camera_yaml.hpp"
+#include "sim/lenses.hpp"
 #include "sim/scene_generator.hpp"
 #include "tools/command_line.hpp"
 
@@ -21,11 +22,13 @@ constexpr double kMinRate_hz = 0.01, kMaxRate_hz = 1000;
 constexpr const char* kIntroduction =
     "Simulates a depth camera that looks at things on a table, and writes what it sees with the truth about it.\n"
     "\n"
-    "  make_scene --demo | --level NAME|all [OPTION...] --out DIR | --bag FILE.bag\n"
+    "  make_scene --demo | --level NAME|all|everyday [OPTION...] --out DIR | --bag FILE.bag\n"
     "\n"
     "A scene is a folder: depth.png (16-bit millimetres), color.png, camera.yaml, labels.png (0 void, 1 table,\n"
-    "20, 30, ... objects), objects.yaml (table, and of each object kind, extent in the picture, visible share, pose\n"
-    "and size) and pose.yaml (of the camera). A bag has the topics of a camera driver, and the truth on\n"
+    "2 tray, tote or shelf, 3 what stands around it, 20, 30, ... objects), objects.yaml (table, other background, and "
+    "of\n"
+    "each object kind, extent in the picture, visible share, pose and size) and pose.yaml (of the camera). A bag has "
+    "the topics of a camera driver, and the truth on\n"
     "/truth/labels and /truth/objects. The same options give the same files.\n"
     "\n";
 
@@ -36,6 +39,8 @@ constexpr const char* kExamples =
     "  make_scene --level all --count 25 --out scenes\n"
     "  make_scene --level clutter --objects 12 --table round:1.1x0.72 --seed 7 --frames 60 --out sequence\n"
     "  make_scene --demo --frames 30 --rate 10 --bag demo.bag\n"
+    "  make_scene --level everyday --count 25 --lens azure --out everyday\n"
+    "  make_scene --level tray --around arm,table --lens realsense --sensor stereo --out tray\n"
     "  make_scene --level shapes --frames 20 --still --sensor stereo --out still\n"
     "\n"
     "Exit status: 0 everything written, 1 some scene could not be made or written, 2 wrong command line.\n";
@@ -48,8 +53,10 @@ po::options_description shownOptions() {
   const auto text = [](const char* name) { return po::value<std::string>()->value_name(name); };
   const auto number = [] { return po::value<long>()->value_name("N"); };
   add("demo", po::bool_switch(), "the built-in scene; the seed moves its objects a little");
-  add("level", text("NAME"), "how difficult the scene is (--list), or all levels");
-  add("list", po::bool_switch(), "print the levels, from easy to hard");
+  add("level", text("NAME"),
+      "what the scene is like (--list); all: the levels from boxes to clutter; everyday: those from plates to "
+      "contents");
+  add("list", po::bool_switch(), "print the levels, from easy to hard, the everyday ones last");
   add("objects", number(), "how many objects, 0 to 40 (otherwise drawn at random)");
   add("seed", number(), "another seed, other scenes (1)");
   add("count", number(), "N scenes a level: DIR/LEVEL_0000, ... and their groups in DIR/groups.csv");
@@ -60,8 +67,11 @@ po::options_description shownOptions() {
   add("ideal", po::bool_switch(), "a depth camera without noise, steps, shadows or limits");
   add("sensor", text("KIND"), "structured (light, like a Kinect; default) or stereo (like a RealSense)");
   add("camera", text("CAMERA.yaml"), "the camera's intrinsics (640 x 480, f = 525)");
+  add("lens", text("NAME"), ("the size and lens of a depth camera: " + lensNames()).c_str());
   add("size", text("WIDTHxHEIGHT"), "scale the camera to another image width; the height is cut or grows");
   add("table", text("SIZE"), "metres: WIDTHxDEPTHxHEIGHT or round:DIAMETERxHEIGHT (otherwise drawn at random)");
+  add("around", text("LIST"),
+      "what stands around: arm, wall, rack, table, or none (drawn at random at everyday levels, otherwise none)");
   add("table-share", po::value<double>()->value_name("X"),
       "least share of the picture that table and objects fill, 0 to 0.9 (0.15); more means less floor");
   add("out", text("DIR"), "folder for the scene or scenes, made when missing");
@@ -73,7 +83,8 @@ po::options_description shownOptions() {
 std::string listLevels() {
   std::ostringstream list;
   for (const Level& level : levels()) {
-    list << level.name << '\t' << level.min_objects << '-' << level.max_objects << '\t' << level.description << '\n';
+    list << level.name << '\t' << level.min_objects << '-' << level.max_objects << '\t' << level.description
+         << ", seen from " << level.view.min_tilt_deg << " to " << level.view.max_tilt_deg << " deg down\n";
   }
   return list.str();
 }
@@ -112,21 +123,24 @@ Result<PinholeCamera> resize(const PinholeCamera& camera, const std::string& tex
 
 std::string readScenes(const po::variables_map& values, MakeSceneOptions& o) {
   const std::string level = textOf(values, "level");
-  const bool demo = values["demo"].as<bool>(), all = level == "all";
+  const bool demo = values["demo"].as<bool>(), all = level == "all", everyday = level == "everyday";
   if (demo == (values.count("level") > 0)) return "give either --demo or --level NAME";
-  if (!demo && !all && !findLevel(level)) return "--level " + level + ": must be all, " + levelNames();
+  if (!demo && !all && !everyday && !findLevel(level)) {
+    return "--level " + level + ": must be all, " + levelNames() + " or everyday";
+  }
   for (const Level& known : levels()) {
-    if (all || known.name == level) o.levels.push_back(known.name);
+    if ((all && !known.everyday) || (everyday && known.everyday) || known.name == level) o.levels.push_back(known.name);
   }
   for (const std::string& problem :
        {readNumber(values, "objects", 0, kMaxObjects, o.objects), readNumber(values, "count", 1, kMaxCount, o.count),
         readNumber(values, "frames", 1, kMaxCount, o.frames), readNumber(values, "seed", 0, 4294967295, o.seed)}) {
     if (!problem.empty()) return problem;
   }
-  if (demo && (o.objects || o.count || values.count("table") || values.count("table-share"))) {
-    return "--objects, --count, --table and --table-share belong to --level: the demo scene has its own";
+  if (demo &&
+      (o.objects || o.count || values.count("table") || values.count("table-share") || values.count("around"))) {
+    return "--objects, --count, --table, --table-share and --around belong to --level: the demo scene has its own";
   }
-  if (all && !o.count) return "--level all needs --count N: how many scenes of each level?";
+  if ((all || everyday) && !o.count) return "--level " + level + " needs --count N: how many scenes of each level?";
   o.still = values["still"].as<bool>();
   if (o.still && !o.frames) return "--still needs --frames N: how many?";
   if (o.count && o.frames) return "--count and --frames exclude each other: a sequence is of one scene";
@@ -134,6 +148,11 @@ std::string readScenes(const po::variables_map& values, MakeSceneOptions& o) {
     const Result<TableSize> table = parseTable(textOf(values, "table"));
     if (!table.ok()) return "--table: " + table.status.message;
     o.table = table.value;
+  }
+  if (values.count("around")) {
+    const Result<Surroundings> around = parseSurroundings(textOf(values, "around"));
+    if (!around.ok()) return "--around: " + around.status.message;
+    o.around = around.value;
   }
   if (values.count("table-share")) {
     o.table_share = values["table-share"].as<double>();
@@ -143,6 +162,13 @@ std::string readScenes(const po::variables_map& values, MakeSceneOptions& o) {
 }
 
 std::string readSensor(const po::variables_map& values, MakeSceneOptions& o) {
+  if (values.count("camera") && values.count("lens")) return "--camera and --lens exclude each other";
+  if (values.count("lens")) {
+    const std::string name = textOf(values, "lens");
+    const PinholeCamera* lens = findLens(name);
+    if (!lens) return "--lens " + name + ": must be " + lensNames();
+    o.sensor.camera = *lens;
+  }
   if (values.count("camera")) {
     const std::string path = textOf(values, "camera");
     const Result<PinholeCamera> camera = loadCamera(path);

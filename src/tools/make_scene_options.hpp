@@ -9,6 +9,7 @@
 #include "objectness_segmentation/common/status.hpp"
 #include "sim/depth_sensor.hpp"
 #include "sim/room.hpp"
+#include "sim/surroundings.hpp"
 
 namespace objectness::sim {
 
@@ -20,6 +21,7 @@ struct MakeSceneOptions {
   std::uint32_t seed = 1;
   std::optional<TableSize> table;
   std::optional<double> table_share;
+  std::optional<Surroundings> around;
   DepthSensor sensor;
   std::string out, bag;  ///< folder and bag, one of them or both
   double rate_hz = 10;   ///< of the bag's frames

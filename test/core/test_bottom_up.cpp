@@ -94,9 +94,9 @@ TEST(BottomUp, IsTheDefault) {
   std::vector<std::string> stages;
   const Segmentation result = segment(pictureOf(kStack).frame, Config());
   for (const auto& entry : result.report.timings_ms) stages.push_back(entry.first);
-  EXPECT_EQ(stages,
-            (std::vector<std::string>{"normals", "table", "refined_normals", "object_points", "surface_cues", "pieces",
-                                      "groups", "selection", "segments", "background", "whole_boxes", "total"}));
+  EXPECT_EQ(stages, (std::vector<std::string>{"normals", "table", "refined_normals", "object_points", "surface_cues",
+                                              "pieces", "groups", "selection", "segments", "background", "whole_boxes",
+                                              "unmeasured", "total"}));
   Config paper;
   paper.grouping.enabled = false;
   paper.search.angle_step_deg = 45;

@@ -2,8 +2,12 @@
 // Trays, totes and bins: their floors carry things as a table does, and their walls are no objects.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "common/convex_area.hpp"
 #include "fixtures/ray_cast.hpp"
 #include "objectness_segmentation/pipeline.hpp"
+#include "scene/container_walls.hpp"
 #include "segments/supports.hpp"
 
 using namespace objectness;
@@ -144,4 +148,36 @@ TEST(Containers, TheBoxesOfWhatIsInThemEndOnTheFloor) {
     const Eigen::Isometry3d T_table_box = result.table.T_table_camera * segment.box.T_camera_box;
     EXPECT_NEAR(T_table_box.translation().z() - 0.5 * segment.box.size_m.z(), tray.floor, 0.003);
   }
+}
+
+TEST(Containers, WallsOfOneHeightAllAroundAreTold) {
+  const std::vector<cv::Point2f> floor = {{-0.1f, -0.1f}, {0.1f, -0.1f}, {0.1f, 0.1f}, {-0.1f, 0.1f}};
+  // A ring of wall points around the floor, a share of them of the given height and the rest none.
+  const auto walls = [&](double share, float height_m, double others) {
+    std::vector<cv::Point2f> places;
+    std::vector<float> heights;
+    for (int k = 0; k < 2000; ++k) {
+      const double angle = 2 * M_PI * k / 2000, side = std::max(std::abs(std::cos(angle)), std::abs(std::sin(angle)));
+      places.emplace_back(static_cast<float>(0.11 * std::cos(angle) / side),
+                          static_cast<float>(0.11 * std::sin(angle) / side));
+      heights.push_back(k < share * 2000 ? height_m : static_cast<float>(others));
+    }
+    return wallHeight(floor, places, heights, 0.003f);
+  };
+  ASSERT_TRUE(walls(1, 0.05f, 0));
+  EXPECT_FLOAT_EQ(*walls(1, 0.05f, 0), 0.05f);
+  EXPECT_TRUE(walls(0.85, 0.05f, 0));
+  EXPECT_FALSE(walls(0.6, 0.05f, 0)) << "open on two of five sides";
+  EXPECT_FALSE(walls(0.5, 0.05f, 0.2)) << "half of it is four times as high";
+  EXPECT_FALSE(walls(1, 0.005f, 0)) << "no higher than noise";
+}
+
+TEST(Containers, WhatIsFarBehindTheWallsDoesNotMatter) {
+  const std::vector<cv::Point2f> floor = {{-0.1f, -0.1f}, {0.1f, -0.1f}, {0.1f, 0.1f}, {-0.1f, 0.1f}};
+  std::vector<cv::Point2f> places = {{1e9f, -1e9f}, {-3e4f, 60}, {std::nanf(""), 0}};
+  std::vector<float> heights = {0.05f, 0.05f, 0.05f};
+  EXPECT_FALSE(wallHeight(floor, places, heights, 0.003f));
+  const ConvexArea area(floor);
+  EXPECT_TRUE(area.contains({0, 0}, -0.004f));
+  for (const auto& place : places) EXPECT_FALSE(area.contains(place, -0.004f));
 }

@@ -141,7 +141,7 @@ TEST(Pipeline, ReportsWhatWasDone) {
   }
   EXPECT_EQ(stages, (std::vector<std::string>{"normals", "table", "refined_normals", "object_points", "surface_cues",
                                               "cue_points", "search", "filter", "selection", "segments", "background",
-                                              "whole_boxes", "total"}));
+                                              "whole_boxes", "unmeasured", "total"}));
   EXPECT_GT(countOf(result, "boxes_sampled"), countOf(result, "boxes_scored"));
   EXPECT_GT(countOf(result, "boxes_scored"), countOf(result, "boxes_passed"));
   EXPECT_GT(countOf(result, "boxes_passed"), countOf(result, "hypotheses"));

@@ -8,6 +8,7 @@
 
 #include "common/color_palette.hpp"
 #include "fixtures/temporary_folder.hpp"
+#include "fixtures/thing_without_depth.hpp"
 #include "objectness_segmentation/io/overlay.hpp"
 #include "objectness_segmentation/io/result_writer.hpp"
 
@@ -96,6 +97,28 @@ TEST(ResultWriter, JsonHoldsEverything) {
   EXPECT_EQ(json["report"]["timings_ms"]["total"], 2.5);
 }
 
+TEST(ResultWriter, ThingsWithoutDepthAreAList) {
+  Sample sample;
+  EXPECT_EQ(nlohmann::json::parse(toJson("", sample.result))["unmeasured"], nlohmann::json::array());
+  Unmeasured thing = thingWithoutDepth();
+  sample.result.unmeasured.push_back(thing);
+  thing.box = sample.result.segments[0].box;
+  sample.result.unmeasured.push_back(thing);
+  const auto json = nlohmann::json::parse(toJson("", sample.result));
+  ASSERT_EQ(json["unmeasured"].size(), 2u);
+  const auto &flat = json["unmeasured"][0], &tall = json["unmeasured"][1];
+  EXPECT_EQ(flat["outline"], nlohmann::json({{0.0, 0.5, 1.0}, {0.25, 0.5, 1.0}, {0.0, 0.5, 1.5}}));
+  EXPECT_EQ(flat["points"], 1234);
+  EXPECT_EQ(flat["area"], 0.0625);
+  EXPECT_EQ(flat["table_share"], 0.75);
+  EXPECT_EQ(flat["noise_ratio"], 4.5);
+  EXPECT_TRUE(flat["box"].is_null());
+  EXPECT_EQ(tall["box"]["size"], json["objects"][0]["size"]);
+  EXPECT_EQ(tall["box"]["position"], json["objects"][0]["position"]);
+  EXPECT_EQ(tall["box"]["orientation"], json["objects"][0]["orientation"]);
+  EXPECT_EQ(json["objects"].size(), 1u);
+}
+
 TEST(ResultWriter, FailureAndOddNames) {
   Segmentation failed;
   failed.status = Status::error(StatusCode::kNoTable, "no plane");
@@ -141,6 +164,17 @@ TEST(Overlay, ColoursTheSegmentAndDrawsItsBox) {
   // The box's front face is 0.85 m away, 20 cm wide and 10 cm high: its right edge is at 49.5 + 0.1 / 0.85 * 100.
   EXPECT_EQ(image(54, 61), line);
   EXPECT_NE(image(20, 20), line);
+}
+
+TEST(Overlay, DrawsTheOutlinesOfThingsWithoutDepth) {
+  Sample sample;
+  Unmeasured thing;
+  thing.outline = {{-0.4, -0.4, 1}, {-0.2, -0.4, 1}, {-0.2, -0.2, 1}, {-0.4, -0.2, 1}};
+  sample.result.unmeasured.push_back(thing);
+  const cv::Mat_<cv::Vec3b> image = drawOverlay(sample.frame, sample.result);
+  EXPECT_EQ(image(20, 10), cv::Vec3b(255, 0, 255));
+  EXPECT_EQ(image(10, 20), cv::Vec3b(255, 0, 255));
+  EXPECT_NE(image(20, 20), cv::Vec3b(255, 0, 255));
 }
 
 TEST(Overlay, BoxesBesideAndBehindTheCamera) {

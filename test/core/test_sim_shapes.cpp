@@ -108,6 +108,8 @@ INSTANTIATE_TEST_SUITE_P(
                     NamedShape{"cone", cone(0.06, 0, 0.15)}, NamedShape{"frustum", cone(0.06, 0.03, 0.1)},
                     NamedShape{"funnel", cone(0.03, 0.06, 0.1)}, NamedShape{"sphere", sphere(0.05)},
                     NamedShape{"bowl", bowl(0.09, 0.05, 0.005, 0.08)}, NamedShape{"cup", cup(0.04, 0.1, 0.004)},
+                    NamedShape{"plate", dish(0.1, 0.03, 0.008, 0.06)}, NamedShape{"pan", dish(0.08, 0.05, 0.003, 0.07)},
+                    NamedShape{"lid", lid(0.08, 0.006, 0.03, 0.012, 0.02)},
                     NamedShape{"bottle", bottle(0.04, 0.25, 0.014, 0.14, 0.19)},
                     NamedShape{"handle", handle(0.04, 0.004, 0.05, 0.055, 0.006)}),
     [](const auto& info) { return std::string(info.param.name); });

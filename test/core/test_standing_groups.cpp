@@ -30,6 +30,7 @@ struct View {
     above.height_m = cv::Mat_<float>(kSide, kSide, 0.f);
     above.mask = cv::Mat_<uchar>(kSide, kSide, uchar(0));
     above.on_table = cv::Mat_<uchar>(kSide, kSide, uchar(255));
+    above.container = cv::Mat_<uchar>(kSide, kSide, uchar(0));
     pieces.label = cv::Mat_<int>(kSide, kSide, -1);
   }
 
@@ -98,18 +99,33 @@ TEST(StandingGroups, TouchNothingThatWasChosen) {
 TEST(StandingGroups, HaveACompactOutlineWithTableAround) {
   View ragged;
   for (int k = 0; k < 4; ++k)
-    ragged.add({10 + 6 * k, 10 + 10 * k, 36 - 12 * k > 6 ? 36 - 12 * k : 40 - 6 * k, 4}, 0.03f);
+    ragged.add({10 + 6 * k, 10 + 10 * k, 36 - 12 * k > 6 ? 36 - 12 * k : 40 - 6 * k, 4}, 0.009f);
   for (int k = 0; k < 3; ++k) ragged.link(k, k + 1, 0.9f);
-  EXPECT_TRUE(ragged.standing().empty());
+  EXPECT_TRUE(ragged.standing().empty()) << "4.5 sigma";
+  View high = ragged;
+  high.above.height_m *= 1.2f;
+  EXPECT_EQ(high.standing().size(), 4u) << "noise does not reach that far";
 
   View walled;
   walled.add(kCompact, 0.03f);
   walled.above.on_table(cv::Rect(0, 0, kSide, 22)).setTo(0);  // something else is seen around most of it
   EXPECT_TRUE(walled.standing().empty());
+  View tray = walled;
+  tray.above.container(cv::Rect(0, 0, kSide, 22)).setTo(255);
+  EXPECT_EQ(tray.standing(), (std::vector<int>{0})) << "the wall of what it lies in";
   walled.above.height_m(cv::Rect(0, 0, kSide, 10)).setTo(std::nanf(""));
   walled.above.height_m(cv::Rect(0, 0, 10, kSide)).setTo(std::nanf(""));
   walled.above.height_m(cv::Rect(30, 0, 30, kSide)).setTo(std::nanf(""));
   EXPECT_EQ(walled.standing(), (std::vector<int>{0})) << "what has no depth says nothing";
+}
+
+TEST(StandingGroups, AreSeenDownToTheTable) {
+  View view;
+  view.add(kCompact, 0.03f);
+  view.above.height_m(kCompact) += 0.02f;
+  EXPECT_TRUE(view.standing().empty()) << "a part of something that hangs in the air";
+  view.above.height_m(cv::Rect(kCompact.tl(), cv::Size(kCompact.width, 2))).setTo(0.035f);
+  EXPECT_EQ(view.standing(), (std::vector<int>{0}));
 }
 
 TEST(StandingGroups, AreTheBestPackingOfWhatIsLeft) {

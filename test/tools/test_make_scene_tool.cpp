@@ -51,6 +51,29 @@ TEST_F(MakeSceneTool, WritesScenesOfALevelAndOfAll) {
   EXPECT_NE(readBytes(file("one/depth.png")), readBytes(file("other/depth.png")));
 }
 
+TEST_F(MakeSceneTool, WritesEverydayScenesWithTheirBackground) {
+  ASSERT_EQ(make("--level everyday --count 1 --size 160x120 --around arm,rack --out " + file("all")).exit_status, 0);
+  EXPECT_EQ(readBytes(file("all/groups.csv")),
+            "scene,group\nplates_0000,plates\ntray_0000,tray\ntote_0000,tote\nshelf_0000,shelf\n"
+            "stacks_0000,stacks\ncontents_0000,contents\n");
+  const YAML::Node background = YAML::LoadFile(file("all/tray_0000/objects.yaml"))["background"];
+  ASSERT_EQ(background.size(), 3u);
+  const char* kinds[] = {"tray", "arm", "rack"};
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(background[i]["kind"].as<std::string>(), kinds[i]);
+    EXPECT_EQ(background[i]["label"].as<int>(), i == 0 ? 2 : 3);
+  }
+  EXPECT_GT(cv::countNonZero(image("all/tray_0000/labels.png") == 2), 100) << "the tray";
+}
+
+TEST_F(MakeSceneTool, TakesTheLensOfACamera) {
+  ASSERT_EQ(make("--level tray --lens realsense_hd --ideal --out " + file("a")).exit_status, 0);
+  EXPECT_EQ(objectness::loadCamera(file("a/camera.yaml")).value.fx, 920);
+  EXPECT_EQ(image("a/depth.png").size(), cv::Size(1280, 720));
+  ASSERT_EQ(make("--level tray --lens realsense_hd --size 320x180 --out " + file("b")).exit_status, 0);
+  EXPECT_NEAR(objectness::loadCamera(file("b/camera.yaml")).value.fx, 230, 1e-6);
+}
+
 TEST_F(MakeSceneTool, WritesASequence) {
   ASSERT_EQ(make("--level shapes --frames 3 --size 160x120 --out " + file("s")).exit_status, 0);
   std::set<std::string> poses;
@@ -97,8 +120,10 @@ TEST_F(MakeSceneTool, PrintsHelpAndLevels) {
     EXPECT_NE(help.out.find(text), std::string::npos) << text;
   const Outcome list = make("--list");
   EXPECT_EQ(list.exit_status, 0);
-  EXPECT_EQ(std::count(list.out.begin(), list.out.end(), '\n'), 7);
+  EXPECT_EQ(std::count(list.out.begin(), list.out.end(), '\n'), 13);
   EXPECT_LT(list.out.find("boxes\t"), list.out.find("clutter\t")) << "from easy to hard";
+  EXPECT_LT(list.out.find("clutter\t"), list.out.find("plates\t")) << "everyday ones last";
+  EXPECT_NE(list.out.find("from above, seen from 65 to 90 deg down\n"), std::string::npos) << list.out;
 }
 
 TEST_F(MakeSceneTool, WrongCommandLines) {
@@ -116,6 +141,10 @@ TEST_F(MakeSceneTool, WrongCommandLines) {
            {"--level boxes --seed many --out o", "seed"},
            {"--level boxes --size 640 --out o", "--size 640: must be WIDTHxHEIGHT"},
            {"--level boxes --table 1x1 --out o", "--table: '1x1' is no table"},
+           {"--level boxes --around leg --out o", "--around: 'leg' is not arm, wall, rack or table"},
+           {"--level boxes --lens fisheye --out o", "--lens fisheye: must be xtion_qvga, kinect"},
+           {"--level boxes --lens kinect --camera c.yaml --out o", "--camera and --lens exclude each other"},
+           {"--level everyday --out o", "--level everyday needs --count"},
            {"--level boxes --table-share 2 --out o", "--table-share must be"},
            {"--level boxes --camera none.yaml --out o", "--camera none.yaml: there is no such file"},
            {"--demo --objects 3 --out o", "the demo scene has its own"},

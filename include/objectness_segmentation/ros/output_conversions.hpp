@@ -24,7 +24,8 @@ SegmentedObjectArray toObjectsMessage(const SegmentedFrame& result, const std_ms
 sensor_msgs::PointCloud2 toSegmentsCloud(const SegmentedFrame& result, const std_msgs::Header& header);
 
 /// DELETEALL first; then per object a box (namespace "boxes", id = label - LABEL_FIRST_OBJECT) and its label, identity
-/// and objectness ("labels"), and the outline and normal of the table ("table").
+/// and objectness ("labels"), outlines and boxes of things without depth ("unmeasured"), and the outline and normal of
+/// the table ("table").
 visualization_msgs::MarkerArray toMarkers(const SegmentedFrame& result, const std_msgs::Header& header);
 
 /// Centres and axes of the boxes, in the order of the objects.

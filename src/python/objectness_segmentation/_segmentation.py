@@ -15,6 +15,7 @@ _ARRAYS = {
     'size': (float, (3,)),
     'hull': (float, (-1, 2)),
     'hull_measured': (bool, (-1,)),
+    'outline': (float, (-1, 3)),
 }
 
 
@@ -92,6 +93,9 @@ def segment(depth, camera_matrix, color=None, **parameters):
       table    dict: normal (3,) towards the camera and d of the plane normal . p + d = 0; frame {position (3,),
                orientation (4,)}; hull (N, 2), its outline in that frame; hull_measured (N,) of bool, whether the side
                from a corner to the next is the edge as it was seen
+      unmeasured  things without depth, a list of dicts: outline (N, 3) on the table, which holds the thing's foot;
+               points and area of the hole in the picture; table_share and noise_ratio, how surely it is one; box
+               {position, orientation, size}, or None where its height cannot be told
       remarks  list of str: what is unusual about the input, or makes the result doubtful
       report   dict: counts and values of the stages, and timings_ms, a dict of milliseconds
 

@@ -10,7 +10,8 @@
 namespace objectness {
 namespace {
 
-constexpr double kPartSize = 3;  // times the smallest piece: what is parted at a narrow place shows more than a speck
+constexpr double kPartSize =
+    3;  // times the smallest piece: only parts larger than a speck are separated at a narrow place
 
 /// The distance to the nearest cut of each smooth pixel, in pixels.
 cv::Mat_<float> roomOf(const cv::Mat_<uchar>& smooth) {

@@ -18,8 +18,8 @@ SmoothSurface connectSmooth(const Frame& frame, const Normals& normals, const De
                             const cv::Mat_<uchar>& smooth, const SuperpixelsConfig& config, int threads = 1);
 
 /// Grows pieces of surface, from their middles outwards (a watershed of the distance to the nearest pixel that is not
-/// smooth). Where two pieces meet, they become one unless the place is narrow beside both of them: a cut that noise has
-/// left open somewhere still holds.
+/// smooth). Regions merge only over a contact that is wide beside both of them, so a boundary with a leak still
+/// separates.
 /// Returns for every pixel the index of the first pixel of its piece; -1 where no piece is or it is too small.
 cv::Mat_<int> growPieces(const Frame& frame, const SmoothSurface& surface, const SuperpixelsConfig& config);
 

@@ -21,8 +21,8 @@ struct Sides {
 };
 
 /// The pixels one window radius to either side of a pixel, or half of it where a jump makes the windows there smaller
-/// than that: windows that overlap hide a bend, and tiny ones see only noise. Clear of the pixel: one pixel farther,
-/// and as far along diagonals, so that neither of the square windows holds it. None: {-1, -1}.
+/// than that: windows that overlap hide a bend, and tiny ones see only noise. `clear`: the windows leave out
+/// the pixel itself (an offset of radius + 1 on every axis). {-1, -1}: none.
 inline Sides sidesOf(const Normals& normals, int width, int height, int u, int v, std::size_t direction,
                      bool clear = false) {
   const int full = normals.radius_px[v * width + u];

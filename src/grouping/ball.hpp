@@ -7,7 +7,7 @@
 
 namespace objectness {
 
-/// What is far apart can be told from balls around it.
+/// Bounding sphere, for lower bounds of distances.
 struct Ball {
   Eigen::Vector3f centre = Eigen::Vector3f::Zero();
   float radius = 0;

@@ -9,9 +9,8 @@
 
 namespace objectness {
 
-// Lengths are counted in steps along rows and columns of the picture, each as long as a pixel there: an oblique line is
-// up to sqrt(2) times as long as it is, as a staircase would be. All cues of them are shares of one another, and what
-// was learned, was learned so.
+// Lengths are Manhattan steps along rows and columns, each as long as a pixel there: up to sqrt(2) too long for an
+// oblique line. All cues of lengths are ratios, and the model was trained on these.
 
 /// What the outline of a piece lies against, each a length on the surface in metres.
 struct Outline {

@@ -7,11 +7,11 @@
 
 namespace objectness {
 
-/// The value that k smaller ones come before when all are in order; quick for a k that is small beside their number.
+/// The k-th smallest value, 0-based; fast for a k that is small beside the number of values.
 /// values: not empty; k: less than their number; scratch: anything.
 float smallestButFew(std::size_t k, const std::vector<float>& values, std::vector<float>& scratch);
 
-/// The same from the other end.
+/// The k-th largest value, 0-based.
 float largestButFew(std::size_t k, const std::vector<float>& values, std::vector<float>& scratch);
 
 /// The points without most of those inside of their hull: what lies within the octagon of the points that are farthest

@@ -15,8 +15,8 @@ struct GroupingMemory {
   cv::Mat_<ushort> labels;
 };
 
-/// The objects of the frame before in the pieces of this one. What was one object is evidence that it still is: by
-/// itself each frame would decide anew about what is nearly as likely either way.
+/// The objects of the frame before in the pieces of this one. What was one object is evidence that it still is;
+/// without it, borderline links would flicker from frame to frame.
 class RememberedGroups {
  public:
   /// memory: of the size of the pieces' picture or a whole multiple of it.

@@ -41,7 +41,7 @@ class FrameStatistics {
   /// Input is expected from now on.
   void resetInputAge();
 
-  /// Returns what was gathered and starts anew.
+  /// Returns what was gathered and resets.
   Snapshot take();
 
  private:

@@ -11,7 +11,7 @@
 
 namespace objectness_segmentation {
 
-/// Where requests for a fresh result wait in their own threads, and the worker leaves it. No ROS in it; thread safe.
+/// Hands fresh results from the worker to the service threads that wait for them. No ROS in it; thread safe.
 ///
 /// A frame is told at its arrival which requests it is new enough for (ticketFor()); its result then answers all of
 /// these (answer()). So a frame that was on its way when the request came is not taken for an answer.

@@ -118,7 +118,7 @@ void SegmentObjectsNodelet::startDiagnostics() {
 }
 
 SegmentObjectsNodelet::~SegmentObjectsNodelet() {
-  // Nobody waits any more; then no more input, no more changes, no more work; what the worker publishes to dies last.
+  // Shutdown order: service, inputs, reconfigure, worker, then the publishers it writes to.
   diagnostics_timer_.stop();
   if (service_) service_->stop();
   {

@@ -13,7 +13,7 @@
 namespace objectness {
 namespace {
 
-constexpr int kRowsPerBand = 80;  // every band sums up the rows within reach above it anew
+constexpr int kRowsPerBand = 80;  // every band sums the rows within reach above it once more
 
 /// The windows of a row and the planes fitted to them, for pixels that have one.
 class RowOfWindows {

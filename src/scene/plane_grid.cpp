@@ -11,13 +11,13 @@
 namespace objectness {
 namespace {
 
-constexpr double kMaxReachM = 4.0;       // of a table from its middle; keeps the grid of a hall's floor small
-constexpr double kBridgedGapM = 0.025;   // missing depth within the surface
-constexpr double kSpeckM = 0.015;        // points that only happen to be at table height
-constexpr double kMinPartM2 = 0.0025;    // of the surface seen between things; smaller ones are not part of it
-constexpr double kBridgedThingM = 0.32;  // between parts of the surface, under a thing or its shadow
-constexpr double kReachM = 0.16;         // how far the table goes on under things beyond the last of it that is seen
-constexpr double kRimM = 0.05;           // things stand at the very edge, and table edges are rounded
+constexpr double kMaxReachM = 4.0;           // of a table from its middle; keeps the grid of a hall's floor small
+constexpr double kBridgedGapM = 0.025;       // missing depth within the surface
+constexpr double kSpeckM = 0.015;            // points that only happen to be at table height
+constexpr double kMinPartM2 = 0.0025;        // of the surface seen between things; smaller ones are not part of it
+constexpr double kBridgedThingM = 0.32;      // between parts of the surface, under a thing or its shadow
+constexpr double kReachM = 0.16;             // how far the table goes on under objects past its last visible cell
+constexpr double kRimM = 0.05;               // things stand at the very edge, and table edges are rounded
 constexpr float kMinNormalCosine = 0.9063f;  // 25 deg
 constexpr float kBehindM = 0.015f;           // beyond the tolerance: further behind the plane than any dent of a table
 constexpr float kCoverCeilingM = 0.45f;      // higher things rather stand behind the table

@@ -9,9 +9,9 @@ namespace objectness {
 /// frame. 0 when too little of the table is seen.
 double tableNormalError(const Frame& frame, const Normals& normals, const Table& table, int threads = 1);
 
-/// The normals anew, with the table's measured noise and a window that is wider by as much as their error exceeds
-/// config.max_error_deg: the error of a fitted normal falls about as its window grows. Cameras differ tenfold in what a
-/// window of one size is worth. The same normals when they are good enough.
+/// Computes the normals again with the table's measured noise and a window that is wider by the factor by which their
+/// error exceeds config.max_error_deg: the error of a fitted normal falls about as its window grows, and cameras differ
+/// tenfold in noise. Returns the given normals if they are good enough.
 Normals refineNormals(const Frame& frame, Normals normals, const Table& table, const NormalsConfig& config,
                       int threads = 1);
 

@@ -17,7 +17,7 @@ constexpr int kMinPixels = 200;  // when the area is too small
 constexpr double kMaxShareOverCeiling = 0.1;
 constexpr double kTallestStack = 2.0;  // times the ceiling
 constexpr int kRowsPerBand = 60;
-constexpr int kManyParts = 10000;      // noise: sums of each in every band would take more memory than they save time
+constexpr int kManyParts = 10000;      // above this, sums per band cost more memory than they save time
 constexpr double kWhollyInside = 0.9;  // a share of the points; the rest is noise at the outline
 
 struct Thing {
@@ -63,7 +63,7 @@ Things findThings(const Frame& frame, const Table& table, const HeightMap& map, 
       }
     }
   };
-  // Always the same bands, whatever the threads: sums depend on how they are parted.
+  // Fixed bands: a float sum must not depend on the number of threads.
   const int rows_per_band = parts > kManyParts ? mask.rows : kRowsPerBand;
   std::vector<std::vector<Thing>> in_band((mask.rows + rows_per_band - 1) / rows_per_band);
   forRowBands(

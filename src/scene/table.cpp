@@ -21,7 +21,7 @@ constexpr int kSampleCount = 40000;         // to find planes in
 constexpr int kExtentSampleCount = 120000;  // to draw the extent from
 constexpr double kExtentCellM = 0.01;
 
-/// A plane, and with one that was chosen what was seen of it.
+/// A plane and, if it was searched for, its evidence.
 struct TablePlane {
   Plane plane;
   SeenPlane seen;

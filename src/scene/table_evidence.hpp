@@ -20,8 +20,8 @@ struct TableEvidence {
   double score(const Plane& plane, bool hidden_counts = false) const;
 };
 
-/// A plane in a view, with what is quick to tell of it. What is not known yet is at its best in `evidence`, so its
-/// score is a bound.
+/// A plane in a view and its evidence. Terms of `evidence` that are not computed yet hold their maximum, so its score
+/// is an upper bound.
 struct SeenPlane {
   PlaneGrid grid;
   cv::Mat_<uchar> core;  ///< 255 = table that was seen, and what it surrounds; of the size of the grid

@@ -105,7 +105,7 @@ void removeWalls(const Frame& frame, const Normals& normals, const Table& table,
   const int count = static_cast<int>(table.other_planes.size());
   std::vector<PlanePatches> of_plane(count);
   parallelFor(count, threads, [&](int k) { of_plane[k] = findWalls(k); });
-  bool changed = false;  // a pixel may lie on several planes: what went with one is missing from the next
+  bool changed = false;  // pixels cleared for one plane must not count for the next
   for (int k = 0; k < count; ++k) {
     const PlanePatches found = changed ? findWalls(k) : std::move(of_plane[k]);
     for (const Run& run : found.parts.runs) {

@@ -19,7 +19,7 @@ class NodeBound {
   void raiseThreshold(double threshold);
 
   /// The least range with all heights of the node at which a box may reach the threshold. depth: of the node, 0 = all
-  /// boxes; the node one less deep that it is a part of must have been the last one of its depth.
+  /// boxes. Call in depth-first order: the parent was the last node bounded at depth - 1.
   HeightRange possible(const BoxRanges& node, int depth);
 
  private:

@@ -56,7 +56,7 @@ class BitCost {
   std::vector<int> actives_;  ///< ascending
   double cost_ = 0;
   struct Counted {
-    int box = -1;  ///< -1: the boxes are not those any more that it was counted for
+    int box = -1;  ///< -1: stale, the selection has changed
     double delta = 0;
   };
   mutable Counted last_;                ///< what is asked first of a box is often asked of it again

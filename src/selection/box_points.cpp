@@ -11,7 +11,7 @@ namespace {
 constexpr int kBits = 64;
 constexpr double kCellM = 0.02;  // points of a cell of the table have their bits together
 
-/// The bits of two numbers by turns: neighbouring cells get near numbers.
+/// Interleaves the bits of two numbers (Morton order): neighbouring cells get near numbers.
 std::uint64_t interleave(std::uint32_t x, std::uint32_t y) {
   std::uint64_t code = 0;
   for (int bit = 0; bit < 32; ++bit) {

@@ -20,8 +20,8 @@ class LeaderClusters {
   /// Among the clusters there are. May be called by several threads at once.
   Nearest nearest(const Eigen::Vector3d& centre) const;
 
-  /// The cluster of the next box, known the nearest among the first `count` clusters: they are numbered as they are
-  /// led.
+  /// Assigns the next box, given its nearest leader among the first `count` clusters, and returns its cluster. Clusters
+  /// are numbered in the order of their leaders.
   int assign(const Eigen::Vector3d& centre, const Nearest& known, int count);
 
   int count() const { return static_cast<int>(leaders_.size()); }

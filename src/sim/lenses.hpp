@@ -23,7 +23,7 @@ const std::vector<Lens>& lenses();
 /// Null when there is none of that name.
 const PinholeCamera* findLens(const std::string& name);
 
-/// The names, parted by ", ".
+/// The names, separated by ", ".
 std::string lensNames();
 
 }  // namespace objectness::sim

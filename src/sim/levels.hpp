@@ -51,7 +51,7 @@ const std::vector<Level>& levels();
 /// Null when there is none of that name.
 const Level* findLevel(const std::string& name);
 
-/// The names, parted by ", ".
+/// The names, separated by ", ".
 std::string levelNames();
 
 }  // namespace objectness::sim

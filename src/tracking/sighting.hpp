@@ -53,8 +53,8 @@ struct Agreement {
   bool moved = false;  ///< agrees by size and place, not by surface
 };
 
-/// in_place: neither has the one left its place by now, nor was the other's still empty before; else only a move can
-/// explain both.
+/// in_place: both may be in the same place. Otherwise only motion explains the match: one has left its place, or the
+/// place of the other was empty before.
 Agreement agree(const Sighting& before, const Sighting& now, bool in_place, const TrackingConfig& config);
 
 /// Whether the view shows that the thing is not where it was seen in another frame.

@@ -12,7 +12,7 @@ namespace objectness {
 
 /// The boxes of objects that do not move, settled over the last frames: centre, turn and sides are the medians of those
 /// of these frames, which one odd frame does not move. Their axes keep their names, also where sides are nearly equal.
-/// An object that moved, by the centre of what is seen of it, begins anew.
+/// An object that moved, by the centre of what is seen of it, starts again.
 class SteadyBoxes {
  public:
   /// identities: of the segments, in their order. frames: how many the medians are over; 1: boxes stay as they are.

@@ -42,8 +42,8 @@ struct SuperpixelsConfig {
   }
 };
 
-/// For the paper's boxes, which hold few superpixels whole: no cuts at steps and narrow places. What is worth cutting
-/// for groups of superpixels, which are put together again, only takes whole sides from a box.
+/// For the paper's boxes: no cuts at steps and narrow places. These cuts help grouping, which joins superpixels again,
+/// but they remove whole faces from a box.
 SuperpixelsConfig superpixelsForBoxes(SuperpixelsConfig config);
 
 /// Grows pieces of smooth surface over the pixels of object_points.mask. Bends are metric and signed: a concave one

@@ -8,9 +8,9 @@
 
 namespace objectness {
 
-/// Which cues of a kind are heeded, a flag for each by the cue's own name. One that is switched off is the same of
-/// everything, namely what it is by default in its struct, for all that comes after: links, groups, rules, learning.
-/// A forest that was learned with it then sees that one value; to know what is lost without a cue, learn one without.
+/// Which cues of a kind are used, a flag for each by the cue's own name. A disabled cue has the default value of its
+/// struct in every sample, for links, groups, rules and learning alike. A forest that was learned with the cue then
+/// sees that one value; to measure what a cue is worth, learn a model without it.
 template <class Cues>
 struct CueSwitches {
   static constexpr std::size_t kCount = sizeof(Cues) / sizeof(float);  // structs of cues hold nothing but cues
@@ -24,7 +24,7 @@ struct CueSwitches {
     std::size_t k = 0;
     const Cues none{};
     Cues::cues(none, [&](const char* name, float) {
-      visit(name, self.on[k++], "this cue is heeded; off: it has the same value everywhere");
+      visit(name, self.on[k++], "this cue is used; off: it has the same value everywhere");
     });
   }
 

@@ -28,13 +28,13 @@ struct FusedDepth {
 ///
 /// - A pixel that deviates alone is an outlier: what was known stays, unless the next frames say the same. Where most
 /// of
-///   its neighbours deviate as well, or the mean around it has moved, the scene has changed, and the pixels begin anew
+///   its neighbours deviate as well, or the mean around it has moved, the scene has changed, and the pixels start again
 ///   with the frame: a hand, or a thing that was moved, is seen at once.
 /// - A hole keeps what was measured there in the last frames, unless all around it is a hole now, too.
 /// - By how much depth varies while nothing moves is measured from frame to frame. What moves by less than three of
 /// these
-///   standard deviations is not told from noise.
-/// - Everything begins anew when the camera moved: by its pose, or because depth changes everywhere, or by the same
+///   standard deviations cannot be distinguished from noise.
+/// - Everything starts again when the camera moved: by its pose, or because depth changes everywhere, or by the same
 /// over
 ///   whole parts of the picture.
 ///

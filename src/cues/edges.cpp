@@ -9,7 +9,7 @@
 
 #include "cues/cue_steps.hpp"
 #include "cues/edge_detectors.hpp"
-#include "scene/mask_parts.hpp"
+#include "scene/connected_components_2d.hpp"
 
 namespace objectness {
 namespace {
@@ -85,7 +85,7 @@ cv::Mat_<uchar> cleaned(const cv::Mat_<uchar>& kinds, const Frame& frame, const 
 
 /// Drops connected edges that span less than min_length_m: noise around holes and at the rim of what depth is measured.
 void dropSpecks(const Frame& frame, double min_length_m, cv::Mat_<uchar>& kinds) {
-  const MaskParts parts = findParts(kinds, Neighbours::kEight);
+  const MaskComponents parts = findComponents(kinds, Neighbours::kEight);
   std::vector<cv::Rect> boxes(parts.count);
   std::vector<double> nearest(parts.count, std::numeric_limits<double>::max());
   for (const Run& run : parts.runs) {

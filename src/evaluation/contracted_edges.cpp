@@ -6,7 +6,7 @@
 #include <queue>
 #include <tuple>
 
-#include "scene/unions.hpp"
+#include "scene/disjoint_sets.hpp"
 
 namespace objectness::evaluation {
 namespace {
@@ -27,7 +27,7 @@ class Contraction {
     }
   }
 
-  Unions run() {
+  DisjointSets run() {
     while (!open_.empty()) {
       const auto [weight, minus_a, minus_b] = open_.top();
       open_.pop();
@@ -61,7 +61,7 @@ class Contraction {
 
   std::vector<std::map<int, double>> weights_;  ///< of each node that is left, by its neighbour
   std::priority_queue<Entry> open_;             ///< entries of which the weight has changed since are void
-  Unions clusters_;
+  DisjointSets clusters_;
 };
 
 }  // namespace

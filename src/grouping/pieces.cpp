@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "grouping/pieces.hpp"
 
-#include "scene/connected_points.hpp"
+#include "scene/connected_components_3d.hpp"
 #include "segments/geodesic_assignment.hpp"
 
 namespace objectness {

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "scene/unions.hpp"
+#include "scene/disjoint_sets.hpp"
 
 namespace objectness {
 namespace {
@@ -178,7 +178,7 @@ class Proposer {
   int count_;
   std::vector<float> p_, logit_;
   std::set<Group> groups_;
-  Unions parts_;
+  DisjointSets parts_;
 };
 
 }  // namespace

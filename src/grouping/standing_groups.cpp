@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "common/share_below.hpp"
-#include "scene/unions.hpp"
+#include "scene/disjoint_sets.hpp"
 
 namespace objectness {
 namespace {
@@ -81,7 +81,7 @@ std::vector<int> standingGroups(const Frame& frame, const Table& table, const Ob
   for (const int k : chosen) {
     for (const int piece : groups[k].pieces) taken[piece] = true;
   }
-  Unions parts;
+  DisjointSets parts;
   while (parts.size() < pieces.count()) parts.create();
   std::vector<char> touches(pieces.count(), false);
   for (const Link& link : links) {

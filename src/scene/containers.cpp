@@ -9,8 +9,8 @@
 #include "common/angles.hpp"
 #include "common/convex_area.hpp"
 #include "common/share_below.hpp"
+#include "scene/connected_components_2d.hpp"
 #include "scene/container_walls.hpp"
-#include "scene/mask_parts.hpp"
 
 namespace objectness {
 namespace {
@@ -157,7 +157,7 @@ class FloorFinder {
     }
     const double all = cv::countNonZero(floor);
     cv::morphologyEx(floor, floor, cv::MORPH_OPEN, cv::Mat::ones(5, 5, CV_8U));
-    const MaskParts patches = findParts(floor, Neighbours::kEight);
+    const MaskComponents patches = findComponents(floor, Neighbours::kEight);
     std::vector<int> sizes(patches.count, 0);
     for (const Run& run : patches.runs) sizes[run.part] += run.last - run.first;
     std::vector<cv::Point2f> ends;

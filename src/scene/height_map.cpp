@@ -7,8 +7,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "common/row_bands.hpp"
+#include "scene/connected_components_2d.hpp"
 #include "scene/height_kernel.hpp"
-#include "scene/mask_parts.hpp"
 #include "scene/surface_samples.hpp"
 
 namespace objectness {
@@ -46,7 +46,7 @@ void openByTwo(cv::Mat_<uchar>& mask) {
 }
 
 void clearSmallParts(cv::Mat_<uchar>& mask, int min_pixels) {
-  const MaskParts parts = findParts(mask, Neighbours::kEight);
+  const MaskComponents parts = findComponents(mask, Neighbours::kEight);
   std::vector<int> pixels(parts.count, 0);
   for (const Run& run : parts.runs) pixels[run.part] += run.last - run.first;
   for (const Run& run : parts.runs) {

@@ -4,7 +4,7 @@
 #include <opencv2/imgproc.hpp>
 #include <set>
 
-#include "scene/mask_parts.hpp"
+#include "scene/connected_components_2d.hpp"
 #include "scene/standing_things.hpp"
 
 namespace objectness {
@@ -75,7 +75,7 @@ std::vector<float> rims(const Things& things, const HeightMap& map) {
 
 /// Connected pixels (4 neighbours) that are no thing, as runs with what they touch.
 struct Regions {
-  MaskParts parts;
+  MaskComponents parts;
   std::vector<Region> regions;  ///< by part
 
   bool allOpen() const {
@@ -87,7 +87,7 @@ struct Regions {
 Regions findRegions(const Things& things, const HeightMap& map) {
   const int width = things.label.cols, height = things.label.rows;
   Regions found;
-  found.parts = findParts(things.label == 0, Neighbours::kFour);
+  found.parts = findComponents(things.label == 0, Neighbours::kFour);
   std::vector<int> pixels(found.parts.count, 0);
   found.regions.resize(found.parts.count);
   for (const Run& run : found.parts.runs) {

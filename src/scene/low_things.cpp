@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/row_bands.hpp"
-#include "scene/mask_parts.hpp"
+#include "scene/connected_components_2d.hpp"
 
 namespace objectness {
 namespace {
@@ -143,7 +143,7 @@ cv::Mat_<float> patchHeights(const Cells& cells, const cv::Mat_<float>& surface)
 
 /// Takes away the connected parts that have few cells of `seeds`.
 void keepSeeded(const cv::Mat_<uchar>& seeds, cv::Mat_<uchar>& mask) {
-  const MaskParts parts = findParts(mask, Neighbours::kEight);
+  const MaskComponents parts = findComponents(mask, Neighbours::kEight);
   std::vector<int> count(parts.count, 0);
   for (const Run& run : parts.runs) {
     for (int u = run.first; u < run.last; ++u) count[run.part] += seeds(run.row, u) != 0;

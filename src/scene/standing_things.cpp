@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "common/row_bands.hpp"
-#include "scene/connected_points.hpp"
+#include "scene/connected_components_3d.hpp"
 
 namespace objectness {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "scene/connected_points.hpp"
+#include "scene/connected_components_3d.hpp"
 
 namespace objectness {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "common/row_bands.hpp"
-#include "scene/mask_parts.hpp"
+#include "scene/connected_components_2d.hpp"
 #include "scene/plane_grid.hpp"
 
 namespace objectness {
@@ -50,7 +50,7 @@ cv::Mat_<uchar> planesOf(const Frame& frame, const Normals& normals, const Table
   return result;
 }
 
-std::vector<Patch> measure(const MaskParts& parts, const Frame& frame, const HeightMap& map, double max_height_m) {
+std::vector<Patch> measure(const MaskComponents& parts, const Frame& frame, const HeightMap& map, double max_height_m) {
   const double focal = frame.camera.focal();
   std::vector<Patch> patches(parts.count);
   for (const Run& run : parts.runs) {
@@ -69,7 +69,7 @@ std::vector<Patch> measure(const MaskParts& parts, const Frame& frame, const Hei
 }
 
 /// Of the patches that may be walls: how many of their pixels lie over the table.
-std::vector<int> countInside(const MaskParts& parts, const std::vector<Patch>& patches, const Frame& frame,
+std::vector<int> countInside(const MaskComponents& parts, const std::vector<Patch>& patches, const Frame& frame,
                              const Table& table) {
   const Eigen::Matrix<double, 2, 3> axes = table.T_table_camera.linear().topRows<2>();
   std::vector<int> inside(parts.count, 0);
@@ -85,7 +85,7 @@ std::vector<int> countInside(const MaskParts& parts, const std::vector<Patch>& p
 
 /// What of the mask lies on a plane.
 struct PlanePatches {
-  MaskParts parts;
+  MaskComponents parts;
   std::vector<Patch> patches;  ///< by part
   std::vector<int> inside;
 };
@@ -97,7 +97,7 @@ void removeWalls(const Frame& frame, const Normals& normals, const Table& table,
   CV_Assert(table.other_planes.size() <= 8);  // findTable() looks at no more
   const cv::Mat_<uchar> planes = planesOf(frame, normals, table, mask, threads);
   const auto findWalls = [&](int k) {
-    PlanePatches found{findParts(planes & mask & uchar(1 << k), Neighbours::kEight), {}, {}};
+    PlanePatches found{findComponents(planes & mask & uchar(1 << k), Neighbours::kEight), {}, {}};
     found.patches = measure(found.parts, frame, map, config.max_height_m);
     found.inside = countInside(found.parts, found.patches, frame, table);
     return found;

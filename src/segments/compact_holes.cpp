@@ -5,7 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "common/share_below.hpp"
-#include "scene/mask_parts.hpp"
+#include "scene/connected_components_2d.hpp"
 
 namespace objectness {
 namespace {
@@ -29,7 +29,7 @@ struct Part {
 
 /// By part; those that the picture's end cuts are left out.
 std::vector<Part> holesWithin(const cv::Mat_<uchar>& no_depth, const cv::Mat_<uchar>& on_table) {
-  const MaskParts parts = findParts(no_depth, Neighbours::kFour);
+  const MaskComponents parts = findComponents(no_depth, Neighbours::kFour);
   std::vector<Part> holes(parts.count);
   for (const Run& run : parts.runs) {
     Part& part = holes[run.part];
@@ -103,7 +103,7 @@ cv::Mat_<uchar> opened(const cv::Mat_<uchar>& mask, const cv::Mat_<float>& dista
 /// Adds the connected parts of what circles of the radius cover.
 void addCores(const cv::Mat_<uchar>& mask, const cv::Mat_<float>& distance, const cv::Point& corner, double radius_px,
               std::vector<CompactHole>& cores) {
-  const MaskParts parts = findParts(opened(mask, distance, radius_px), Neighbours::kFour);
+  const MaskComponents parts = findComponents(opened(mask, distance, radius_px), Neighbours::kFour);
   const std::size_t before = cores.size();
   cores.resize(before + parts.count);
   for (const Run& run : parts.runs) {

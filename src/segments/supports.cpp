@@ -7,7 +7,7 @@
 
 #include "common/convex_area.hpp"
 #include "common/share_below.hpp"
-#include "scene/mask_parts.hpp"
+#include "scene/connected_components_2d.hpp"
 
 namespace objectness {
 namespace {
@@ -86,7 +86,7 @@ std::vector<Thing> describeAll(const Frame& frame, const Normals& normals, const
     things.push_back(describe(frame, normals, table, segment.pixels));
     for (const int pixel : segment.pixels) left(pixel) = 0;
   }
-  const MaskParts parts = findParts(left, Neighbours::kEight);
+  const MaskComponents parts = findComponents(left, Neighbours::kEight);
   std::vector<std::vector<int>> pixels(parts.count);
   for (const Run& run : parts.runs) {
     for (int u = run.first; u < run.last; ++u) pixels[run.part].push_back(run.row * left.cols + u);

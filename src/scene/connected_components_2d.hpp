@@ -13,7 +13,7 @@ struct Run {
 };
 
 /// The connected parts of a mask as runs, row by row: few, where the mask has many pixels.
-struct MaskParts {
+struct MaskComponents {
   std::vector<Run> runs;
   int count = 0;  ///< parts 0..count-1, in the order of their first pixels
 };
@@ -21,6 +21,6 @@ struct MaskParts {
 enum class Neighbours { kFour, kEight };
 
 /// Parts of the pixels that are not 0.
-MaskParts findParts(const cv::Mat_<uchar>& mask, Neighbours neighbours);
+MaskComponents findComponents(const cv::Mat_<uchar>& mask, Neighbours neighbours);
 
 }  // namespace objectness

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/connected_points.hpp"
+#include "scene/connected_components_3d.hpp"
 
 #include <algorithm>
 
 #include "common/row_bands.hpp"
-#include "scene/unions.hpp"
+#include "scene/disjoint_sets.hpp"
 
 namespace objectness {
 namespace {
@@ -18,14 +18,14 @@ class PointConnector {
       : points_(points), mask_(mask), gap_(gap), labels_(mask.rows, mask.cols) {}
 
   cv::Mat_<int> run(int threads, int& count) {
-    std::vector<Unions> bands((mask_.rows + kRowsPerBand - 1) / kRowsPerBand);
+    std::vector<DisjointSets> bands((mask_.rows + kRowsPerBand - 1) / kRowsPerBand);
     forRows(threads, [&](int first, int last) { labelBand(first, last, bands[first / kRowsPerBand]); });
 
     // One label space for all bands, and the sets that meet at their borders.
     std::vector<int> offset;
-    Unions all;
+    DisjointSets all;
     all.create();  // 0: none
-    for (Unions& band : bands) {
+    for (DisjointSets& band : bands) {
       offset.push_back(all.size() - 1);
       for (int k = 1; k < band.size(); ++k) all.create();
       for (int k = 1; k < band.size(); ++k) all.join(offset.back() + k, offset.back() + band.root(k));
@@ -52,7 +52,7 @@ class PointConnector {
     return !((points_[other] - points_[pixel]).squaredNorm() > reach * reach);
   }
 
-  void labelBand(int first, int last, Unions& unions) {
+  void labelBand(int first, int last, DisjointSets& unions) {
     unions.create();  // 0: none
     const int width = mask_.cols;
     const int offsets[4] = {-1, -width - 1, -width, -width + 1};
@@ -76,7 +76,7 @@ class PointConnector {
   }
 
   /// Joins what the first row of a band has in common with the row above it.
-  void joinAcross(int band, const std::vector<int>& offset, Unions& all) const {
+  void joinAcross(int band, const std::vector<int>& offset, DisjointSets& all) const {
     const int width = mask_.cols, v = band * kRowsPerBand;
     const int* labels = labels_[0];
     for (int u = 0; u < width; ++u) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/mask_parts.hpp"
+#include "scene/connected_components_2d.hpp"
 
 #include <cstdint>
 #include <cstring>
 
-#include "scene/unions.hpp"
+#include "scene/disjoint_sets.hpp"
 
 namespace objectness {
 namespace {
@@ -26,9 +26,9 @@ int seek(const uchar* row, int u, int width, bool wanted) {
 
 }  // namespace
 
-MaskParts findParts(const cv::Mat_<uchar>& mask, Neighbours neighbours) {
-  MaskParts parts;
-  Unions unions;
+MaskComponents findComponents(const cv::Mat_<uchar>& mask, Neighbours neighbours) {
+  MaskComponents parts;
+  DisjointSets unions;
   const int diagonal = neighbours == Neighbours::kEight ? 1 : 0;
   std::size_t above = 0, above_end = 0;  // the runs of the row before
   for (int v = 0; v < mask.rows; ++v) {

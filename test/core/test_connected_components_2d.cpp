@@ -6,8 +6,8 @@
 #include <random>
 
 #include "fixtures/random_frame.hpp"
-#include "scene/connected_points.hpp"
-#include "scene/mask_parts.hpp"
+#include "scene/connected_components_2d.hpp"
+#include "scene/connected_components_3d.hpp"
 
 using namespace objectness;
 using namespace objectness_test;
@@ -50,13 +50,13 @@ cv::Mat_<uchar> randomMask(int width, int height, double share, unsigned seed) {
 
 }  // namespace
 
-TEST(MaskParts, AreThoseOfFlooding) {
+TEST(MaskComponents, AreThoseOfFlooding) {
   for (const cv::Size size : {cv::Size(1, 1), cv::Size(1, 20), cv::Size(20, 1), cv::Size(8, 8), cv::Size(67, 41)}) {
     for (const double share : {0.0, 0.1, 0.4, 0.6, 0.95, 1.0}) {
       const cv::Mat_<uchar> mask = randomMask(size.width, size.height, share, static_cast<unsigned>(100 * share));
       for (const bool diagonal : {false, true}) {
         const cv::Mat_<int> expected = flooded(mask, diagonal, [](int, int) { return true; });
-        const MaskParts parts = findParts(mask, diagonal ? Neighbours::kEight : Neighbours::kFour);
+        const MaskComponents parts = findComponents(mask, diagonal ? Neighbours::kEight : Neighbours::kFour);
         cv::Mat_<int> label(size, 0);
         for (const objectness::Run& run : parts.runs) {
           ASSERT_LT(run.part, parts.count);

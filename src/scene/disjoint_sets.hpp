@@ -7,7 +7,7 @@
 namespace objectness {
 
 /// Labels 0, 1, ... that turn out to be the same; the root of a set is its smallest label.
-class Unions {
+class DisjointSets {
  public:
   int create() {
     parent_.push_back(static_cast<int>(parent_.size()));

@@ -169,7 +169,7 @@ class FloorFinder {
     }
     if (ends.size() < kMinPixels) return false;
     cv::convexHull(ends, container.outline);
-    // Things in its corners hide the floor there.
+    // TableClusters in its corners hide the floor there.
     const cv::RotatedRect around = cv::minAreaRect(container.outline);
     if (cv::contourArea(container.outline) > kRectangular * around.size.area()) {
       cv::Point2f corners[4];

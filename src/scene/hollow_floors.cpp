@@ -5,7 +5,7 @@
 #include <set>
 
 #include "scene/connected_components_2d.hpp"
-#include "scene/standing_things.hpp"
+#include "scene/table_clusters.hpp"
 
 namespace objectness {
 namespace {
@@ -61,7 +61,7 @@ double median(std::vector<float>& values) {
 }
 
 /// Height of the highest point of each thing.
-std::vector<float> rims(const Things& things, const HeightMap& map) {
+std::vector<float> rims(const TableClusters& things, const HeightMap& map) {
   std::vector<float> rim_m(things.count + 1, 0);
   for (int v = 0; v < things.label.rows; ++v) {
     const int* thing = things.label[v];
@@ -84,7 +84,7 @@ struct Regions {
 };
 
 /// Regions that are not open have the things they touch.
-Regions findRegions(const Things& things, const HeightMap& map) {
+Regions findRegions(const TableClusters& things, const HeightMap& map) {
   const int width = things.label.cols, height = things.label.rows;
   Regions found;
   found.parts = findComponents(things.label == 0, Neighbours::kFour);
@@ -119,7 +119,7 @@ Regions findRegions(const Things& things, const HeightMap& map) {
 }
 
 /// Convex hulls of the things around closed regions, seen from above, in cells of the table's extent.
-std::vector<std::vector<cv::Point>> footprints(const Frame& frame, const Table& table, const Things& things,
+std::vector<std::vector<cv::Point>> footprints(const Frame& frame, const Table& table, const TableClusters& things,
                                                const std::vector<Region>& regions) {
   std::vector<char> wanted(things.count + 1, false);
   for (const Region& region : regions) {
@@ -145,7 +145,7 @@ std::vector<std::vector<cv::Point>> footprints(const Frame& frame, const Table& 
 }
 
 /// Median height of the table next to a region; NaN when it is not seen.
-double tableAround(const cv::Rect& region, int reach_px, const HeightMap& map, const Things& things) {
+double tableAround(const cv::Rect& region, int reach_px, const HeightMap& map, const TableClusters& things) {
   const cv::Rect image(0, 0, map.height_m.cols, map.height_m.rows);
   const cv::Rect box =
       cv::Rect(region.x - reach_px, region.y - reach_px, region.width + 2 * reach_px, region.height + 2 * reach_px) &
@@ -163,7 +163,7 @@ double tableAround(const cv::Rect& region, int reach_px, const HeightMap& map, c
 
 }  // namespace
 
-void addHollowFloors(const Frame& frame, const Table& table, const HeightMap& map, const Things& things,
+void addHollowFloors(const Frame& frame, const Table& table, const HeightMap& map, const TableClusters& things,
                      cv::Mat_<uchar>& mask) {
   const Regions found = findRegions(things, map);
   const std::vector<Region>& regions = found.regions;

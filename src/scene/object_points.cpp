@@ -7,7 +7,7 @@
 #include "scene/containers.hpp"
 #include "scene/height_map.hpp"
 #include "scene/low_things.hpp"
-#include "scene/standing_things.hpp"
+#include "scene/table_clusters.hpp"
 #include "scene/wall_patches.hpp"
 
 namespace objectness {
@@ -42,7 +42,7 @@ ObjectPoints findObjectPoints(const Frame& frame, const Normals& normals, const 
       frame, normals, table,
       config.containers ? findContainers(frame, normals, table, map, mask) : std::vector<Container>{}, map, mask);
   removeWalls(frame, normals, table, map, config, mask, threads);
-  const Things things = findThings(frame, table, map, config, mask, threads);
+  const TableClusters things = findTableClusters(frame, table, map, config, mask, threads);
   mask = things.label > 0;
   cv::Mat_<uchar> with_floors = mask.clone(), surface(mask.size());
   const Eigen::Vector3f up = table.normal.cast<float>();

@@ -9,8 +9,8 @@
 namespace objectness {
 
 /// What every segment stands on: the highest top of the things whose place in the plan is under the segment's box and
-/// that do not reach higher than where its own points begin, otherwise the table. Things are the segments and what else
-/// of `above` is connected. No segment rests on itself by way of others.
+/// that do not reach higher than where its own points begin, otherwise the table. TableClusters are the segments and
+/// what else of `above` is connected. No segment rests on itself by way of others.
 ///
 /// The lowest points of a thing are too near to the table to be taken for it, and others may hide its foot: its points
 /// alone do not tell where it stands. segments: with boxes around what is seen of them. normals: of the frame.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Things that a simulated sensor cannot measure: which of the holes they leave are reported, and where.
+// TableClusters that a simulated sensor cannot measure: which of the holes they leave are reported, and where.
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>

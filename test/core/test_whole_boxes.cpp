@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Things on a table whose boxes are completed.
+/// TableClusters on a table whose boxes are completed.
 struct Completed : SeenSurfaces {
   explicit Completed(const std::vector<Surface>& things) : SeenSurfaces(onATable(things)) {
     const cv::Mat_<uchar> on_table(frame.height(), frame.width(), uchar(0));

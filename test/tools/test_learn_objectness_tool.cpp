@@ -171,7 +171,7 @@ TEST_F(LearnTool, BadInputIsNamed) {
 }
 
 TEST_F(LearnTool, ScenesWithoutPairsAreTooLittle) {
-  // Things that stand apart: no two of them touch.
+  // TableClusters that stand apart: no two of them touch.
   for (int i = 0; i < 2; ++i) saveLabelledScene(folder_ / ("apart/s" + std::to_string(i)), 0.04 + 0.01 * i);
   const Outcome outcome = learn("model.json " + (folder_ / "apart"));
   EXPECT_EQ(outcome.exit_status, 1);

@@ -2,9 +2,9 @@
 #pragma once
 
 /// @file
-/// Things without depth: glass, black or shiny things, things too near to the sensor. All that is known of one is a
-/// compact hole in the picture of the table. Lengths in metres, in the camera's optical frame (REP 103). No errors: a
-/// picture without such holes gives an empty list.
+/// TableClusters without depth: glass, black or shiny things, things too near to the sensor. All that is known of one
+/// is a compact hole in the picture of the table. Lengths in metres, in the camera's optical frame (REP 103). No
+/// errors: a picture without such holes gives an empty list.
 
 #include <optional>
 #include <vector>

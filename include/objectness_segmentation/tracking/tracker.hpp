@@ -58,8 +58,8 @@ std::vector<Identity> identitiesByRank(std::size_t count);
 
 /// Keeps identities from frame to frame: segments and objects seen before are paired one to one so that the sum of
 /// their agreement is the largest there is. They agree by the surface they share in a fixed frame, or, for what moved,
-/// by size and place. Things of one size that change places between two frames keep the identity of the place: nothing
-/// in their shapes tells them apart. Not thread safe; deterministic.
+/// by size and place. TableClusters of one size that change places between two frames keep the identity of the place:
+/// nothing in their shapes tells them apart. Not thread safe; deterministic.
 class Tracker {
  public:
   Tracker();

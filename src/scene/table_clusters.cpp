@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/standing_things.hpp"
+#include "scene/table_clusters.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,8 +40,8 @@ bool isTallStack(const Thing& thing) {
 
 }  // namespace
 
-Things findThings(const Frame& frame, const Table& table, const HeightMap& map, const ObjectPointsConfig& config,
-                  const cv::Mat_<uchar>& mask, int threads) {
+TableClusters findTableClusters(const Frame& frame, const Table& table, const HeightMap& map,
+                                const ObjectPointsConfig& config, const cv::Mat_<uchar>& mask, int threads) {
   const double focal = frame.camera.focal();
   const Gap gap{kGapM, static_cast<float>(kGapPixels / focal), kGapSigmas, table.noise};
   int parts = 0;
@@ -77,7 +77,7 @@ Things findThings(const Frame& frame, const Table& table, const HeightMap& map, 
   for (const std::vector<Thing>& band : in_band) {
     for (std::size_t k = 1; k < things.size(); ++k) things[k].add(band[k]);
   }
-  Things result{label, 0};
+  TableClusters result{label, 0};
   std::vector<int> final_label(things.size(), 0);
   for (std::size_t k = 1; k < things.size(); ++k) {
     const Thing& thing = things[k];

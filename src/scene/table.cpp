@@ -8,9 +8,9 @@
 
 #include "common/parallel.hpp"
 #include "scene/depth_noise.hpp"
-#include "scene/lowest_layer.hpp"
 #include "scene/plane_grid.hpp"
 #include "scene/plane_hypotheses.hpp"
+#include "scene/support_layer.hpp"
 #include "scene/table_choice.hpp"
 #include "scene/table_outline.hpp"
 
@@ -92,7 +92,7 @@ Result<Table> findTable(const Frame& frame, const Normals& normals, const TableC
   inParallel(
       threads,
       [&] {
-        if (!config.given) plane = settleOnLowestLayer(samples, plane, chosen.value.seen);
+        if (!config.given) plane = settleOnSupportLayer(samples, plane, chosen.value.seen);
       },
       [&] { dense = sampleSurface(frame, normals, prior, kExtentSampleCount, threads); });
   const PlaneGrid grid = makePlaneGrid(dense, plane, kExtentCellM, threads);

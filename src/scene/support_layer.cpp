@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/lowest_layer.hpp"
+#include "scene/support_layer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -107,7 +107,7 @@ float lowerLayer(const std::vector<Patch>& patches, const Plane& plane) {
 
 }  // namespace
 
-Plane settleOnLowestLayer(const SurfaceSamples& view, const Plane& plane, const SeenPlane& seen) {
+Plane settleOnSupportLayer(const SurfaceSamples& view, const Plane& plane, const SeenPlane& seen) {
   const std::vector<Patch> patches = patchesNear(view, plane, seen);
   const Plane fitted = fitLayer(patches, plane, 0, 0.006f);
   const float lower = lowerLayer(patches, fitted);

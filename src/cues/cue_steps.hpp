@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cues/crease.hpp"
-#include "cues/grown_pieces.hpp"
+#include "cues/watershed.hpp"
 #include "objectness_segmentation/cues/edges.hpp"
 #include "objectness_segmentation/cues/superpixels.hpp"
 

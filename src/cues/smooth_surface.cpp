@@ -4,7 +4,7 @@
 
 #include "common/row_bands.hpp"
 #include "cues/crease.hpp"
-#include "cues/grown_pieces.hpp"
+#include "cues/watershed.hpp"
 
 namespace objectness {
 namespace {

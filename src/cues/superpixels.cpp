@@ -8,7 +8,7 @@
 
 #include "common/row_bands.hpp"
 #include "cues/cue_steps.hpp"
-#include "cues/grown_pieces.hpp"
+#include "cues/watershed.hpp"
 #include "scene/sampled_values.hpp"
 
 namespace objectness {
@@ -68,7 +68,7 @@ SuperpixelsConfig superpixelsForBoxes(SuperpixelsConfig config) {
 }
 
 Superpixels growSuperpixels(const Frame& frame, const SmoothSurface& surface, const SuperpixelsConfig& config) {
-  Superpixels superpixels{growPieces(frame, surface, config), 0};
+  Superpixels superpixels{growRegions(frame, surface, config), 0};
   for (int i = 0; i < frame.size(); ++i) {
     int& label = superpixels.label(i);
     if (label < 0) {

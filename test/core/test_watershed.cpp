@@ -8,8 +8,8 @@
 #include <random>
 
 #include "cues/crease.hpp"
-#include "cues/grown_pieces.hpp"
 #include "cues/radix_order.hpp"
+#include "cues/watershed.hpp"
 #include "fixtures/random_frame.hpp"
 
 using namespace objectness;
@@ -110,7 +110,7 @@ TEST(GrownPieces, AreThoseOfThePlainWatershed) {
     EXPECT_GT(cv::countNonZero(plain >= 0), 1000);
     for (const int threads : {1, 3}) {
       const cv::Mat_<int> pieces =
-          growPieces(frame, connectSmooth(frame, normals, {}, smooth, config, threads), config);
+          growRegions(frame, connectSmooth(frame, normals, {}, smooth, config, threads), config);
       EXPECT_EQ(cv::norm(pieces, plain, cv::NORM_INF), 0) << seed;
     }
   }
@@ -120,7 +120,7 @@ TEST(GrownPieces, NothingGrowsFromNothing) {
   const Frame frame = randomFrame(20, 10, 1);
   const Normals normals = estimateNormals(frame, {});
   const cv::Mat_<int> pieces =
-      growPieces(frame, connectSmooth(frame, normals, {}, cv::Mat_<uchar>(10, 20, uchar(0)), {}), {});
+      growRegions(frame, connectSmooth(frame, normals, {}, cv::Mat_<uchar>(10, 20, uchar(0)), {}), {});
   EXPECT_EQ(cv::countNonZero(pieces + 1), 0);
 }
 

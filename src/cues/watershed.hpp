@@ -21,6 +21,6 @@ SmoothSurface connectSmooth(const Frame& frame, const Normals& normals, const De
 /// smooth). Regions merge only over a contact that is wide beside both of them, so a boundary with a leak still
 /// separates.
 /// Returns for every pixel the index of the first pixel of its piece; -1 where no piece is or it is too small.
-cv::Mat_<int> growPieces(const Frame& frame, const SmoothSurface& surface, const SuperpixelsConfig& config);
+cv::Mat_<int> growRegions(const Frame& frame, const SmoothSurface& surface, const SuperpixelsConfig& config);
 
 }  // namespace objectness

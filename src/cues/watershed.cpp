@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cues/grown_pieces.hpp"
+#include "cues/watershed.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -145,7 +145,7 @@ class Grower {
 
 }  // namespace
 
-cv::Mat_<int> growPieces(const Frame& frame, const SmoothSurface& surface, const SuperpixelsConfig& config) {
+cv::Mat_<int> growRegions(const Frame& frame, const SmoothSurface& surface, const SuperpixelsConfig& config) {
   return Grower(frame, surface, config).run();
 }
 

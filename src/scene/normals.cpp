@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "common/row_bands.hpp"
-#include "scene/depth_jumps.hpp"
+#include "scene/depth_discontinuities.hpp"
 #include "scene/integral_rows.hpp"
 #include "scene/normals_pcl.hpp"
 #include "scene/plane_fit_kernel.hpp"
@@ -113,7 +113,7 @@ Normals estimateNormals(const Frame& frame, const NormalsConfig& config, const D
   normals.residual_m.assign(size, nan);
   normals.depth_m.assign(size, nan);
   normals.radius_px.assign(size, 0);
-  normals.jump = findDepthJumps(frame, config, noise, threads);
+  normals.jump = findDepthDiscontinuities(frame, config, noise, threads);
   const cv::Mat_<uchar> clear =
       clearRadius(frame, normals.jump, threads, std::max(config.min_window_px, config.max_window_px));
   forRowBands(

@@ -8,7 +8,7 @@
 
 #include "fixtures/random_frame.hpp"
 #include "objectness_segmentation/scene/normals.hpp"
-#include "scene/depth_jumps.hpp"
+#include "scene/depth_discontinuities.hpp"
 
 using namespace objectness;
 using namespace objectness_test;
@@ -106,7 +106,7 @@ TEST(PlainNormals, JumpsAndWindowsAreTheSame) {
     const PlainNormals plain(frame, config, {});
     const cv::Mat_<uchar> plain_clear = plain.clear();
     for (const int threads : {1, 3}) {
-      const std::vector<unsigned char> jump = findDepthJumps(frame, config, {}, threads);
+      const std::vector<unsigned char> jump = findDepthDiscontinuities(frame, config, {}, threads);
       const cv::Mat_<uchar> clear = clearRadius(frame, jump, threads),
                             short_sighted = clearRadius(frame, jump, threads, 6);
       for (int v = 0, i = 0; v < size.height; ++v) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/depth_jump_kernel.hpp"
+#include "scene/depth_discontinuity_kernel.hpp"
 
 #include <cstring>
 
@@ -9,7 +9,7 @@ namespace objectness {
 namespace {
 
 /// Negated, so that a NaN on either side counts as a jump.
-inline bool apart(float a, float b, const JumpLimits& limits) {
+inline bool apart(float a, float b, const DiscontinuityLimits& limits) {
   const float z = b < a ? b : a;
   const float noise = limits.constant + limits.quadratic * z * z, grazing = limits.slope * z;
   const float difference = a - b;
@@ -25,8 +25,9 @@ inline unsigned char farther(unsigned char distance, unsigned char steps) {
 }  // namespace
 
 OBJECTNESS_CLONES("avx2")
-void findJumpsInRow(const float* z, const float* below, int width, const JumpLimits& limits, unsigned char* jump) {
-  const JumpLimits l = limits;
+void findDiscontinuitiesInRow(const float* z, const float* below, int width, const DiscontinuityLimits& limits,
+                              unsigned char* jump) {
+  const DiscontinuityLimits l = limits;
   for (int u = 0; u + 1 < width; ++u) jump[u] = apart(z[u], z[u + 1], l) ? 1 : 0;
   jump[width - 1] = 0;
   if (!below) return;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/depth_jumps.hpp"
+#include "scene/depth_discontinuities.hpp"
 
 #include <algorithm>
 
 #include "common/row_bands.hpp"
-#include "scene/depth_jump_kernel.hpp"
+#include "scene/depth_discontinuity_kernel.hpp"
 
 namespace objectness {
 namespace {
@@ -32,12 +32,12 @@ class DistanceRows {
 
 }  // namespace
 
-std::vector<unsigned char> findDepthJumps(const Frame& frame, const NormalsConfig& config, const DepthNoise& noise,
-                                          int threads) {
+std::vector<unsigned char> findDepthDiscontinuities(const Frame& frame, const NormalsConfig& config,
+                                                    const DepthNoise& noise, int threads) {
   const int width = frame.width(), height = frame.height();
-  const JumpLimits limits{static_cast<float>(config.jump_sigmas * noise.constant_m),
-                          static_cast<float>(config.jump_sigmas * noise.quadratic_per_m),
-                          static_cast<float>(config.jump_slope / frame.camera.focal())};
+  const DiscontinuityLimits limits{static_cast<float>(config.jump_sigmas * noise.constant_m),
+                                   static_cast<float>(config.jump_sigmas * noise.quadratic_per_m),
+                                   static_cast<float>(config.jump_slope / frame.camera.focal())};
   std::vector<unsigned char> jump(static_cast<std::size_t>(frame.size()));
   forRowBands(height, threads, [&](int first, int last) {
     std::vector<float> z(width), below(width);
@@ -45,7 +45,8 @@ std::vector<unsigned char> findDepthJumps(const Frame& frame, const NormalsConfi
     for (int v = first; v < last; ++v) {
       const bool has_below = v + 1 < height;
       if (has_below) copyDepths(frame, v + 1, below.data());
-      findJumpsInRow(z.data(), has_below ? below.data() : nullptr, width, limits, jump.data() + std::size_t(v) * width);
+      findDiscontinuitiesInRow(z.data(), has_below ? below.data() : nullptr, width, limits,
+                               jump.data() + std::size_t(v) * width);
       std::swap(z, below);
     }
   });

@@ -4,18 +4,19 @@
 namespace objectness {
 
 /// What neighbouring depths may differ by: the larger of constant + quadratic z^2 and slope z, with z the nearer one.
-struct JumpLimits {
+struct DiscontinuityLimits {
   float constant, quadratic, slope;
 };
 
 /// Which depths of a row are apart from their right neighbour (bit 0) and from the one below (bit 1). below: nullptr in
 /// the last row. NaN is apart from everything.
-void findJumpsInRow(const float* z, const float* below, int width, const JumpLimits& limits, unsigned char* jump);
+void findDiscontinuitiesInRow(const float* z, const float* below, int width, const DiscontinuityLimits& limits,
+                              unsigned char* jump);
 
 /// A row of pixels with what decides whether a window may hold them; a row outside the image is all invalid.
 struct ClearRow {
   const unsigned char* valid;  ///< 255 or 0
-  const unsigned char* jump;   ///< bits as of findJumpsInRow()
+  const unsigned char* jump;   ///< bits as of findDiscontinuitiesInRow()
 };
 
 /// 255 where a pixel and its 8 neighbours are valid and no jump parts it from any of them, else 0.

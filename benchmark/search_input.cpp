@@ -39,11 +39,11 @@ SearchInput::SearchInput(const Frame& frame, const Config& config)
 SearchTimes SearchInput::run(Search search, SearchResult& result) const {
   SearchTimes times;
   // As in the pipeline, memory outlives a frame.
-  static VoxelMarker::Scratch scratch;
+  static Voxelizer::Scratch scratch;
   static CueVoxels voxels;
   static CueVolumes volumes;
   const double begin = threadSeconds();
-  VoxelMarker marker(points_, settings_.volume);
+  Voxelizer marker(points_, settings_.volume);
   marker.prepare(frame_, scene_.table, grids_, 1);
   times.volumes = threadSeconds() - begin;
   for (int angle = 0; angle < static_cast<int>(grids_.size()); ++angle) {

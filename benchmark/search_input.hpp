@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "frame_methods.hpp"
-#include "integral/voxel_marker.hpp"
+#include "integral/voxelizer.hpp"
 #include "search/angle_search.hpp"
 #include "search/search.hpp"
 

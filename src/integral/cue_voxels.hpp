@@ -28,7 +28,7 @@ struct CueVoxels {
 /// One superpixel's voxels (grid coordinates, not empty) in a grid `nz` high.
 SuperpixelVoxels superpixelVoxels(const std::vector<Eigen::Vector3i>& voxels, int nz);
 
-/// Marks the voxels of one angle one by one: the definition that VoxelMarker must agree with.
+/// Marks the voxels of one angle one by one: the definition that Voxelizer must agree with.
 CueVoxels markVoxelsPlain(const Frame& frame, const Table& table, const CuePoints& points, const Grid& grid,
                           const VolumeConfig& config);
 

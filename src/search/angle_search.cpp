@@ -8,7 +8,7 @@
 #include "common/parallel.hpp"
 #include "common/spares.hpp"
 #include "integral/cue_volumes.hpp"
-#include "integral/voxel_marker.hpp"
+#include "integral/voxelizer.hpp"
 #include "search/search.hpp"
 
 namespace objectness {
@@ -30,7 +30,7 @@ Status checkSize(const Grid& grid) {
 
 /// What the angles of a frame are searched in: each thread takes one that is free.
 struct AngleMemory {
-  VoxelMarker::Scratch scratch;
+  Voxelizer::Scratch scratch;
   CueVoxels voxels;
   CueVolumes volumes;
 };
@@ -42,7 +42,7 @@ double highestObjectness(const ObjectnessConfig& o) {
 /// One angle after the other, on several threads.
 class AngleSearch {
  public:
-  AngleSearch(const VoxelMarker& marker, const Table& table, const std::vector<Grid>& grids,
+  AngleSearch(const Voxelizer& marker, const Table& table, const std::vector<Grid>& grids,
               const SearchSettings& settings, const std::atomic<bool>* cancel)
       : marker_(marker), table_(table), grids_(grids), settings_(settings), cancel_(cancel) {
     const double voxel_m = settings.volume.voxel_m;
@@ -69,7 +69,7 @@ class AngleSearch {
   }
 
  private:
-  const VoxelMarker& marker_;
+  const Voxelizer& marker_;
   const Table& table_;
   const std::vector<Grid>& grids_;
   const SearchSettings& settings_;
@@ -109,7 +109,7 @@ SearchOutcome searchAllAngles(const Frame& frame, const Table& table, const CueP
   // A margin of one step on either side: a box can then enclose what lies at the border tightly, in every phase of the
   // steps.
   const int margin = std::max({sampling.corner_step, sampling.size_step_xy, sampling.min_size});
-  VoxelMarker marker(points, settings.volume);
+  Voxelizer marker(points, settings.volume);
   const std::vector<double> angles = sampledAngles(settings.search);
   outcome.grids.resize(angles.size());
   parallelFor(static_cast<int>(angles.size()), settings.threads, [&](int i) {

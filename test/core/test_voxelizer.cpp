@@ -4,7 +4,7 @@
 #include "fixtures/cue_scene.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "integral/integral_volume.hpp"
-#include "integral/voxel_marker.hpp"
+#include "integral/voxelizer.hpp"
 #include "objectness_segmentation/io/scene_folder.hpp"
 #include "search/box_sampler.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 /// Marks every angle both ways; returns the occluded voxels met.
 long expectPlainVoxels(const CueScene& scene, const VolumeConfig& config, double max_size_m, int threads) {
   const int margin = 3, tallest = static_cast<int>(max_size_m / config.voxel_m);
-  VoxelMarker marker(scene.points, config);
+  Voxelizer marker(scene.points, config);
   std::vector<Grid> grids;
   for (const double angle : sampledAngles(SearchConfig())) {
     grids.push_back(marker.gridAt(angle, margin, 3, tallest));
@@ -25,7 +25,7 @@ long expectPlainVoxels(const CueScene& scene, const VolumeConfig& config, double
     EXPECT_EQ(std::tie(grids.back().nx, grids.back().ny, grids.back().nz), std::tie(plain.nx, plain.ny, plain.nz));
   }
   marker.prepare(scene.frame, scene.table, grids, threads);
-  VoxelMarker::Scratch scratch;
+  Voxelizer::Scratch scratch;
   CueVoxels marked;
   long hidden = 0;
   for (const Grid& grid : grids) {
@@ -48,14 +48,14 @@ long expectPlainVoxels(const CueScene& scene, const VolumeConfig& config, double
 
 }  // namespace
 
-TEST(VoxelMarker, MarksTheVoxelsOfThePlainLoop) {
+TEST(Voxelizer, MarksTheVoxelsOfThePlainLoop) {
   const CueScene scene = simulatedCueScene();
   ASSERT_GT(scene.points.superpixels, 2);
   EXPECT_GT(expectPlainVoxels(scene, VolumeConfig(), 0.45, 1), 1000) << "there must be hidden space to find";
   EXPECT_GT(expectPlainVoxels(scene, VolumeConfig(), 0.45, 2), 1000);
 }
 
-TEST(VoxelMarker, InAWideVolumeWithUnknownSpaceHidden) {
+TEST(Voxelizer, InAWideVolumeWithUnknownSpaceHidden) {
   const CueScene scene = simulatedCueScene();
   VolumeConfig wide;
   wide.min_extent_m = 1.6;
@@ -64,7 +64,7 @@ TEST(VoxelMarker, InAWideVolumeWithUnknownSpaceHidden) {
   EXPECT_GT(expectPlainVoxels(scene, wide, 0.45, 2), 1000);
 }
 
-TEST(VoxelMarker, InColumnsOfMoreThanOneWord) {
+TEST(Voxelizer, InColumnsOfMoreThanOneWord) {
   const CueScene scene = simulatedCueScene();
   VolumeConfig fine;
   fine.voxel_m = 0.004;
@@ -72,11 +72,11 @@ TEST(VoxelMarker, InColumnsOfMoreThanOneWord) {
   EXPECT_GT(expectPlainVoxels(scene, fine, 0.4, 2), 1000);
 }
 
-TEST(VoxelMarker, PointsOverTheTopOfTheGridAreLeftOut) {
+TEST(Voxelizer, PointsOverTheTopOfTheGridAreLeftOut) {
   EXPECT_GT(expectPlainVoxels(simulatedCueScene(), VolumeConfig(), 0.09, 1), 100);
 }
 
-TEST(VoxelMarker, MarksTheVoxelsOfThePlainLoopOnARealScene) {
+TEST(Voxelizer, MarksTheVoxelsOfThePlainLoopOnARealScene) {
   const std::string data = sharedData();
   if (data.empty()) GTEST_SKIP() << "no shared data: set OBJECTNESS_DATA";
   const auto read = loadSceneFolder(data + "/mosd/test55", std::nullopt, InputConfig());

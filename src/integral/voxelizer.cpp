@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "integral/voxel_marker.hpp"
+#include "integral/voxelizer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +40,7 @@ std::uint64_t spread(unsigned byte) {
 
 }  // namespace
 
-VoxelMarker::VoxelMarker(const CuePoints& points, const VolumeConfig& config) : points_(points), config_(config) {
+Voxelizer::Voxelizer(const CuePoints& points, const VolumeConfig& config) : points_(points), config_(config) {
   all_x_.reserve(points.points.size());
   all_y_.reserve(points.points.size());
   for (const auto& p : points.points) {
@@ -49,9 +49,9 @@ VoxelMarker::VoxelMarker(const CuePoints& points, const VolumeConfig& config) : 
   }
 }
 
-VoxelMarker::~VoxelMarker() = default;
+Voxelizer::~Voxelizer() = default;
 
-Grid VoxelMarker::gridAt(double angle_rad, int margin, int min_height, int max_height) const {
+Grid Voxelizer::gridAt(double angle_rad, int margin, int min_height, int max_height) const {
   if (points_.points.empty()) return makeGrid(points_, angle_rad, config_, margin, min_height, max_height);
   float bounds[4];
   turnedBounds(all_x_.data(), all_y_.data(), static_cast<int>(all_x_.size()), static_cast<float>(std::cos(angle_rad)),
@@ -60,7 +60,7 @@ Grid VoxelMarker::gridAt(double angle_rad, int margin, int min_height, int max_h
                   max_height);
 }
 
-void VoxelMarker::Columns::add(const Eigen::Vector3f& p, double voxel_m, int nz) {
+void Voxelizer::Columns::add(const Eigen::Vector3f& p, double voxel_m, int nz) {
   const double height = std::floor(static_cast<double>(p.z()) / voxel_m);
   if (!(height >= 0 && height < nz)) return;
   x.push_back(p.x());
@@ -68,7 +68,7 @@ void VoxelMarker::Columns::add(const Eigen::Vector3f& p, double voxel_m, int nz)
   z.push_back(static_cast<std::int32_t>(height));
 }
 
-void VoxelMarker::prepare(const Frame& frame, const Table& table, const std::vector<Grid>& grids, int threads) {
+void Voxelizer::prepare(const Frame& frame, const Table& table, const std::vector<Grid>& grids, int threads) {
   const int nz = grids.front().nz;
   T_table_camera_ = table.T_table_camera;
   for (const auto& p : points_.edges) edge_.add(p, config_.voxel_m, nz);
@@ -89,7 +89,7 @@ void VoxelMarker::prepare(const Frame& frame, const Table& table, const std::vec
   occlusion_ = std::make_unique<OcclusionMap>(frame, table, config_, regionOf(grids), nz, threads);
 }
 
-void VoxelMarker::mark(const Grid& grid, Scratch& scratch, CueVoxels& voxels) const {
+void Voxelizer::mark(const Grid& grid, Scratch& scratch, CueVoxels& voxels) const {
   voxels.grid = grid;
   const std::size_t most = std::max(edge_.z.size(), object_.z.size());
   scratch.x.resize(most);
@@ -108,7 +108,7 @@ void VoxelMarker::mark(const Grid& grid, Scratch& scratch, CueVoxels& voxels) co
   markHidden(grid, voxels.occupied, voxels.filled);
 }
 
-void VoxelMarker::markSuperpixels(const Scratch& scratch, int nz, std::vector<SuperpixelVoxels>& superpixels) const {
+void Voxelizer::markSuperpixels(const Scratch& scratch, int nz, std::vector<SuperpixelVoxels>& superpixels) const {
   std::size_t found = 0;
   for (int s = 1; s <= points_.superpixels; ++s) {
     const int first = first_of_[s], count = first_of_[s + 1] - first;
@@ -128,7 +128,7 @@ void VoxelMarker::markSuperpixels(const Scratch& scratch, int nz, std::vector<Su
   superpixels.resize(found);
 }
 
-void VoxelMarker::markHidden(const Grid& grid, const VoxelBits& occupied, VoxelBits& filled) const {
+void Voxelizer::markHidden(const Grid& grid, const VoxelBits& occupied, VoxelBits& filled) const {
   const VoxelCentres centres(grid, T_table_camera_);
   const double step[3] = {centres.stepUp().x(), centres.stepUp().y(), centres.stepUp().z()};
   const int groups = (grid.nz + 7) / 8;

@@ -13,10 +13,10 @@ class OcclusionMap;
 
 /// Marks the voxels of a frame at any angle, the same as markVoxelsPlain(): everything that does not depend on the
 /// angle is done once.
-class VoxelMarker {
+class Voxelizer {
  public:
-  VoxelMarker(const CuePoints& points, const VolumeConfig& config);
-  ~VoxelMarker();
+  Voxelizer(const CuePoints& points, const VolumeConfig& config);
+  ~Voxelizer();
 
   /// makeGrid() of the points.
   Grid gridAt(double angle_rad, int margin, int min_height, int max_height) const;

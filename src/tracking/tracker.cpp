@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "common/assignment.hpp"
-#include "tracking/sighting.hpp"
+#include "tracking/observation.hpp"
 
 namespace objectness {
 namespace {
@@ -17,7 +17,7 @@ constexpr double kConfidenceKept = 0.7;  // of the confidence before, a frame
 
 struct Tracker::Track {
   Identity identity;
-  Sighting last;
+  Observation last;
   double first_time_s = 0, last_time_s = 0;
   int missed = 0;  ///< frames since it was last seen
 };
@@ -52,11 +52,11 @@ std::vector<Identity> Tracker::update(const Frame& frame, const std::vector<Segm
   last_time_s_ = time_s;
   ++frames_;
 
-  std::vector<Sighting> sightings;
-  for (const Segment& segment : segments) sightings.push_back(makeSighting(frame, segment, T_fixed_camera, frames_));
+  std::vector<Observation> sightings;
+  for (const Segment& segment : segments) sightings.push_back(makeObservation(frame, segment, T_fixed_camera, frames_));
   auto view = std::make_unique<PosedDepthImage>(frame, T_fixed_camera);
   std::vector<bool> arrived;
-  for (const Sighting& sighting : sightings) arrived.push_back(last_view_ && isElsewhere(sighting, *last_view_));
+  for (const Observation& sighting : sightings) arrived.push_back(last_view_ && isElsewhere(sighting, *last_view_));
   Eigen::MatrixXd gains(tracks_.size(), sightings.size());
   std::vector<Agreement> agreements(tracks_.size() * sightings.size());
   for (std::size_t t = 0; t < tracks_.size(); ++t) {
@@ -81,7 +81,7 @@ std::vector<Identity> Tracker::update(const Frame& frame, const std::vector<Segm
     ++identity.age_frames;
     identity.age_s = time_s - track.first_time_s;
     identity.confidence = kConfidenceKept * identity.confidence + (1 - kConfidenceKept) * agreement.quality;
-    Sighting& now = sightings[s];
+    Observation& now = sightings[s];
     if (!agreement.moved) {
       SurfaceCells surface = std::move(track.last.surface);
       surface.merge(now.surface, frames_ - kSurfaceMemoryFrames);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tracking/sighting.hpp"
+#include "tracking/observation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ Eigen::Vector3d centreOf(std::uint64_t key) {
 }
 
 /// 1: boxes of the same size, whichever way they are turned.
-double similarity(const Sighting& a, const Sighting& b) {
+double similarity(const Observation& a, const Observation& b) {
   const Eigen::Array3d smaller = a.sorted_size_m.array().min(b.sorted_size_m.array());
   const Eigen::Array3d larger = a.sorted_size_m.array().max(b.sorted_size_m.array()).max(1e-6);
   return std::cbrt((smaller / larger).prod());
@@ -83,8 +83,9 @@ double SurfaceCells::shareSeenThrough(const PosedDepthImage& view) const {
   return static_cast<double>(through) / std::max<std::size_t>(1, last_seen_.size());
 }
 
-Sighting makeSighting(const Frame& frame, const Segment& segment, const Eigen::Isometry3d& T_fixed_camera, int number) {
-  Sighting sighting;
+Observation makeObservation(const Frame& frame, const Segment& segment, const Eigen::Isometry3d& T_fixed_camera,
+                            int number) {
+  Observation sighting;
   sighting.centre = T_fixed_camera * segment.box.T_camera_box.translation();
   sighting.sorted_size_m = segment.box.size_m;
   std::sort(sighting.sorted_size_m.data(), sighting.sorted_size_m.data() + 3);
@@ -96,11 +97,11 @@ Sighting makeSighting(const Frame& frame, const Segment& segment, const Eigen::I
   return sighting;
 }
 
-bool isElsewhere(const Sighting& sighting, const PosedDepthImage& view) {
+bool isElsewhere(const Observation& sighting, const PosedDepthImage& view) {
   return sighting.surface.shareSeenThrough(view) > kElsewhereShare;
 }
 
-Agreement agree(const Sighting& before, const Sighting& now, bool in_place, const TrackingConfig& config) {
+Agreement agree(const Observation& before, const Observation& now, bool in_place, const TrackingConfig& config) {
   const double distance = (before.centre - now.centre).norm();
   const double closeness = config.max_move_m > 0 ? std::max(0.0, 1 - distance / config.max_move_m) : 0;
   const double similar = similarity(before, now);

@@ -37,14 +37,15 @@ class SurfaceCells {
 };
 
 /// What a segment looks like to the tracker, in the fixed frame.
-struct Sighting {
+struct Observation {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   Eigen::Vector3d sorted_size_m = Eigen::Vector3d::Zero();
   double radius_m = 0;  ///< of the sphere about the centre that holds the box
   SurfaceCells surface;
 };
 
-Sighting makeSighting(const Frame& frame, const Segment& segment, const Eigen::Isometry3d& T_fixed_camera, int number);
+Observation makeObservation(const Frame& frame, const Segment& segment, const Eigen::Isometry3d& T_fixed_camera,
+                            int number);
 
 /// How much speaks for one thing behind both.
 struct Agreement {
@@ -55,9 +56,9 @@ struct Agreement {
 
 /// in_place: both may be in the same place. Otherwise only motion explains the match: one has left its place, or the
 /// place of the other was empty before.
-Agreement agree(const Sighting& before, const Sighting& now, bool in_place, const TrackingConfig& config);
+Agreement agree(const Observation& before, const Observation& now, bool in_place, const TrackingConfig& config);
 
 /// Whether the view shows that the thing is not where it was seen in another frame.
-bool isElsewhere(const Sighting& sighting, const PosedDepthImage& view);
+bool isElsewhere(const Observation& sighting, const PosedDepthImage& view);
 
 }  // namespace objectness

@@ -83,7 +83,7 @@ void SegmentObjectsNodelet::initialize() {
                             : missingInput(state);
   };
   service_ = std::make_unique<SegmentService>(
-      private_nh, desk_, settings_.service_timeout_s, [this] { updateSubscriptions(); }, missing);
+      private_nh, requests_, settings_.service_timeout_s, [this] { updateSubscriptions(); }, missing);
   updateSubscriptions();
 }
 
@@ -138,7 +138,7 @@ void SegmentObjectsNodelet::updateSubscriptions() {
   const auto update = [this] {
     std::lock_guard<std::mutex> lock(connect_mutex_);
     if (!inputs_) return;
-    const bool wanted = !settings_.lazy || desk_.pending() || publishers_.haveSubscribers();
+    const bool wanted = !settings_.lazy || requests_.pending() || publishers_.haveSubscribers();
     if (wanted && !inputs_->subscribed()) {
       statistics_.resetInputAge();
       inputs_->subscribe();
@@ -154,7 +154,7 @@ void SegmentObjectsNodelet::updateSubscriptions() {
 
 void SegmentObjectsNodelet::handOver(const InputMessages& messages) {
   statistics_.countInput();
-  worker_->submit({messages, desk_.ticketFor(messages.header().stamp.toSec(), ros::Time::now().toSec())});
+  worker_->submit({messages, requests_.newestAnsweredBy(messages.header().stamp.toSec(), ros::Time::now().toSec())});
 }
 
 void SegmentObjectsNodelet::reconfigure(ObjectnessSegmentationConfig& requested) {
@@ -211,13 +211,14 @@ void SegmentObjectsNodelet::process(const Job& job) {
     if (worker_->stopFlag()) return;
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     report(frame.result, 1e3 * elapsed.count());
-    const SegmentedObjectArrayConstPtr objects = publishers_.publish(
-        frame, header, settings_.target_frame, config, {elapsed.count(), worker_->dropped()}, desk_.wants(job.ticket));
-    if (objects) desk_.answer(job.ticket, objects);
+    const SegmentedObjectArrayConstPtr objects =
+        publishers_.publish(frame, header, settings_.target_frame, config, {elapsed.count(), worker_->dropped()},
+                            requests_.wants(job.ticket));
+    if (objects) requests_.answer(job.ticket, objects);
   } catch (const std::exception& e) {
-    if (desk_.wants(job.ticket)) {
+    if (requests_.wants(job.ticket)) {
       const SegmentedFrame failure = failedFrame(Status::error(StatusCode::kInternalError, e.what()));
-      desk_.answer(job.ticket, boost::make_shared<SegmentedObjectArray>(toObjectsMessage(failure, header)));
+      requests_.answer(job.ticket, boost::make_shared<SegmentedObjectArray>(toObjectsMessage(failure, header)));
     }
     throw;
   }

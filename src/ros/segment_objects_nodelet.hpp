@@ -17,7 +17,7 @@
 #include "ros/frame_processor.hpp"
 #include "ros/frame_statistics.hpp"
 #include "ros/node_settings.hpp"
-#include "ros/request_desk.hpp"
+#include "ros/pending_requests.hpp"
 #include "ros/result_publishers.hpp"
 #include "ros/segment_service.hpp"
 #include "ros/synchronized_inputs.hpp"
@@ -37,7 +37,7 @@ class SegmentObjectsNodelet : public nodelet::Nodelet {
 
   struct Job {
     InputMessages messages;
-    SegmentService::Ticket ticket = 0;  ///< requests that it answers
+    SegmentService::RequestId ticket = 0;  ///< requests that it answers
   };
 
   void onInit() override;
@@ -71,7 +71,7 @@ class SegmentObjectsNodelet : public nodelet::Nodelet {
   ThrottledProblems problems_;
   bool input_was_missing_ = false;  // the log says so; of diagnose() only
 
-  SegmentService::Desk desk_;  // requests of the service
+  SegmentService::Requests requests_;  // requests of the service
 
   std::mutex connect_mutex_;  // held while publishers_ and inputs_ come, go or are looked at by updateSubscriptions()
   ResultPublishers publishers_;

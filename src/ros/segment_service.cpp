@@ -22,7 +22,7 @@ constexpr double kSlice_s = 0.05;  // how soon a shutdown of the whole process i
 using objectness::StatusCode;
 
 /// Why no frame of those that came was an answer.
-std::string describe(const SegmentService::Desk::OldFrames& frames) {
+std::string describe(const SegmentService::Requests::OldFrames& frames) {
   char text[320];
   std::snprintf(
       text, sizeof(text),
@@ -35,9 +35,9 @@ std::string describe(const SegmentService::Desk::OldFrames& frames) {
 
 }  // namespace
 
-SegmentService::SegmentService(ros::NodeHandle& nh, Desk& desk, double default_timeout_s, std::function<void()> changed,
-                               std::function<std::string()> missing)
-    : desk_(desk),
+SegmentService::SegmentService(ros::NodeHandle& nh, Requests& requests, double default_timeout_s,
+                               std::function<void()> changed, std::function<std::string()> missing)
+    : requests_(requests),
       default_timeout_s_(default_timeout_s),
       changed_(std::move(changed)),
       missing_(std::move(missing)),
@@ -50,7 +50,7 @@ SegmentService::SegmentService(ros::NodeHandle& nh, Desk& desk, double default_t
 }
 
 void SegmentService::stop() {
-  desk_.stop();
+  requests_.stop();
   server_.shutdown();
   spinner_.stop();
 }
@@ -62,19 +62,19 @@ bool SegmentService::answer(SegmentOnce::Request& request, SegmentOnce::Response
   const auto deadline =
       Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(timeout_s));
   std::optional<SegmentedObjectArrayConstPtr> result;
-  Desk::OldFrames old_frames;
+  Requests::OldFrames old_frames;
   {
     const double now_s = ros::Time::now().toSec();
-    Desk::Request waiting(desk_, now_s);
+    Requests::Request waiting(requests_, now_s);
     changed_();
-    while (!result && !desk_.stopped() && !ros::isShuttingDown() && Clock::now() < deadline) {
+    while (!result && !requests_.stopped() && !ros::isShuttingDown() && Clock::now() < deadline) {
       result = waiting.wait(std::min(kSlice_s, std::chrono::duration<double>(deadline - Clock::now()).count()));
     }
     old_frames = waiting.oldFrames();
   }
   if (result && *result) {
     response.result = **result;
-  } else if (desk_.stopped() || ros::isShuttingDown()) {
+  } else if (requests_.stopped() || ros::isShuttingDown()) {
     response.result.status = static_cast<std::uint8_t>(StatusCode::kCancelled);
     response.result.message = "the nodelet ends";
     return true;  // inputs may be gone already

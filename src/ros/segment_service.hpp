@@ -10,7 +10,7 @@
 #include <functional>
 #include <string>
 
-#include "ros/request_desk.hpp"
+#include "ros/pending_requests.hpp"
 
 namespace objectness_segmentation {
 
@@ -18,11 +18,11 @@ namespace objectness_segmentation {
 /// request after the other.
 class SegmentService {
  public:
-  using Desk = RequestDesk<SegmentedObjectArrayConstPtr>;
-  using Ticket = Desk::Ticket;
+  using Requests = PendingRequests<SegmentedObjectArrayConstPtr>;
+  using RequestId = Requests::RequestId;
 
   /// changed: requests began or ceased to wait. missing: why no frame may have come.
-  SegmentService(ros::NodeHandle& nh, Desk& desk, double default_timeout_s, std::function<void()> changed,
+  SegmentService(ros::NodeHandle& nh, Requests& requests, double default_timeout_s, std::function<void()> changed,
                  std::function<std::string()> missing);
   ~SegmentService() { stop(); }
 
@@ -32,7 +32,7 @@ class SegmentService {
  private:
   bool answer(SegmentOnce::Request& request, SegmentOnce::Response& response);
 
-  Desk& desk_;
+  Requests& requests_;
   double default_timeout_s_;
   std::function<void()> changed_;
   std::function<std::string()> missing_;

@@ -13,13 +13,13 @@ namespace objectness_segmentation {
 
 /// Hands fresh results from the worker to the service threads that wait for them. No ROS in it; thread safe.
 ///
-/// A frame is told at its arrival which requests it is new enough for (ticketFor()); its result then answers all of
-/// these (answer()). So a frame that was on its way when the request came is not taken for an answer.
+/// A frame is told at its arrival which requests it is new enough for (newestAnsweredBy()); its result then answers all
+/// of these (answer()). So a frame that was on its way when the request came is not taken for an answer.
 template <class Answer>
-class RequestDesk {
+class PendingRequests {
  public:
   /// Number of the newest request that a frame answers; 0: none.
-  using Ticket = std::uint64_t;
+  using RequestId = std::uint64_t;
 
   struct OldFrames {
     std::uint32_t count = 0;
@@ -29,20 +29,20 @@ class RequestDesk {
   /// A request that is made now, by the clock of the stamps. Ends with its guard.
   class Request {
    public:
-    Request(RequestDesk& desk, double now_s) : desk_(desk), number_(desk.open(now_s)) {}
-    ~Request() { desk_.close(number_); }
+    Request(PendingRequests& requests, double now_s) : requests_(requests), number_(requests.open(now_s)) {}
+    ~Request() { requests_.close(number_); }
     Request(const Request&) = delete;
     Request& operator=(const Request&) = delete;
 
-    /// The answer; none when the (wall) time is over or the desk is closed before it comes.
-    std::optional<Answer> wait(double seconds) { return desk_.wait(number_, seconds); }
+    /// The answer; none when the (wall) time is over or the requests is closed before it comes.
+    std::optional<Answer> wait(double seconds) { return requests_.wait(number_, seconds); }
 
     /// The frames that came since the request and were not new enough for it.
-    OldFrames oldFrames() const { return desk_.oldFrames(number_); }
+    OldFrames oldFrames() const { return requests_.oldFrames(number_); }
 
    private:
-    RequestDesk& desk_;
-    Ticket number_;
+    PendingRequests& requests_;
+    RequestId number_;
   };
 
   bool pending() const { return pending_ > 0; }
@@ -50,11 +50,11 @@ class RequestDesk {
 
   /// For a frame that arrives now. Stamps of another clock than now_s (kForeign_s or more away) cannot be compared with
   /// the time of the request: then what arrives after it is new enough.
-  Ticket ticketFor(double stamp_s, double now_s) {
+  RequestId newestAnsweredBy(double stamp_s, double now_s) {
     std::lock_guard<std::mutex> lock(mutex_);
     const double age_s = now_s - stamp_s;
     const bool comparable = age_s < kForeign_s && age_s > -kForeign_s;
-    Ticket ticket = 0;
+    RequestId ticket = 0;
     for (auto& [number, request] : open_) {
       if (!comparable || stamp_s >= request.time_s) {
         ticket = number;
@@ -66,12 +66,12 @@ class RequestDesk {
   }
 
   /// Whether a frame with this ticket still has somebody waiting.
-  bool wants(Ticket ticket) const {
+  bool wants(RequestId ticket) const {
     std::lock_guard<std::mutex> lock(mutex_);
     return !open_.empty() && open_.begin()->first <= ticket;
   }
 
-  void answer(Ticket ticket, const Answer& answer) {
+  void answer(RequestId ticket, const Answer& answer) {
     {
       std::lock_guard<std::mutex> lock(mutex_);
       for (auto& [number, request] : open_) {
@@ -99,32 +99,32 @@ class RequestDesk {
     OldFrames old_frames;
   };
 
-  Ticket open(double now_s) {
+  RequestId open(double now_s) {
     std::lock_guard<std::mutex> lock(mutex_);
     open_[++last_].time_s = now_s;
     ++pending_;
     return last_;
   }
-  void close(Ticket number) {
+  void close(RequestId number) {
     std::lock_guard<std::mutex> lock(mutex_);
     open_.erase(number);
     --pending_;
   }
-  std::optional<Answer> wait(Ticket number, double seconds) {
+  std::optional<Answer> wait(RequestId number, double seconds) {
     std::unique_lock<std::mutex> lock(mutex_);
     Open& request = open_.at(number);  // a map's elements stay where they are
     wake_.wait_for(lock, std::chrono::duration<double>(seconds), [&] { return stop_ || request.answer; });
     return request.answer;
   }
-  OldFrames oldFrames(Ticket number) const {
+  OldFrames oldFrames(RequestId number) const {
     std::lock_guard<std::mutex> lock(mutex_);
     return open_.at(number).old_frames;
   }
 
   mutable std::mutex mutex_;
   std::condition_variable wake_;
-  std::map<Ticket, Open> open_;
-  Ticket last_ = 0;
+  std::map<RequestId, Open> open_;
+  RequestId last_ = 0;
   std::atomic<int> pending_{0};
   std::atomic<bool> stop_{false};
 };

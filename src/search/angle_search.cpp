@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <memory>
 
+#include "common/object_pool.hpp"
 #include "common/parallel.hpp"
-#include "common/spares.hpp"
 #include "integral/cue_volumes.hpp"
 #include "integral/voxelizer.hpp"
 #include "search/search.hpp"
@@ -75,7 +75,7 @@ class AngleSearch {
   const SearchSettings& settings_;
   const std::atomic<bool>* cancel_;
   SearchTask task_;
-  Spares<AngleMemory> memory_;
+  ObjectPool<AngleMemory> memory_;
 };
 
 /// The boxes of all angles in one list, best first.

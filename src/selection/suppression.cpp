@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/object_pool.hpp"
 #include "common/row_bands.hpp"
-#include "common/spares.hpp"
 #include "selection/kept_boxes.hpp"
 #include "selection/leader_clusters.hpp"
 
@@ -138,7 +138,7 @@ class Suppression {
   std::vector<int> looked_at_;  ///< boxes, by cluster
   std::vector<SurvivingBox> survivors_;
   KeptBoxes kept_;
-  Spares<Looker> lookers_;
+  ObjectPool<Looker> lookers_;
 };
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace objectness {
 /// What calls of a parallelFor() need each for itself but may take over from one another: made when there is none to
 /// spare, so that there are no more than threads. Thread safe.
 template <class T>
-class Spares {
+class ObjectPool {
  public:
   std::unique_ptr<T> take() {
     const std::lock_guard<std::mutex> lock(mutex_);

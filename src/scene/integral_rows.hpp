@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "objectness_segmentation/scene/frame.hpp"
-#include "scene/plane_fit_kernel.hpp"
+#include "scene/normal_fit_kernel.hpp"
 
 namespace objectness {
 

@@ -7,8 +7,8 @@
 #include "common/row_bands.hpp"
 #include "scene/depth_discontinuities.hpp"
 #include "scene/integral_rows.hpp"
+#include "scene/normal_fit_kernel.hpp"
 #include "scene/normals_pcl.hpp"
-#include "scene/plane_fit_kernel.hpp"
 
 namespace objectness {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "scene/plane_kernel.hpp"
+#include "scene/plane_inlier_kernel.hpp"
 #include "scene/surface_samples.hpp"
 
 namespace objectness {

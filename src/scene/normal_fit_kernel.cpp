@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/plane_fit_kernel.hpp"
+#include "scene/normal_fit_kernel.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/plane_kernel.hpp"
+#include "scene/plane_inlier_kernel.hpp"
 
 #include "common/target_clones.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "grouping/hand_set.hpp"
+#include "grouping/rule_based_scores.hpp"
 #include "selection/scene_points.hpp"
 
 namespace objectness {

@@ -15,7 +15,7 @@ struct GroupHypothesis {
   std::vector<int> pieces;  ///< ascending
   OrientedBox box;          ///< camera's optical frame
   GroupCues cues;
-  float objectness = 0;  ///< 0..1: expected overlap with a true object (judgeGroups()), or judgeGroupsByHand()
+  float objectness = 0;  ///< 0..1: expected overlap with a true object (judgeGroups()), or scoreGroupsByRule()
   float remembered = 0;  ///< 1: it is an object of the frame before; -1: it was none; 0: not known
 };
 

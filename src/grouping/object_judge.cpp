@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "grouping/object_judge.hpp"
 
-#include "grouping/hand_set.hpp"
+#include "grouping/rule_based_scores.hpp"
 
 namespace objectness {
 
@@ -12,14 +12,14 @@ const LearnedObjectness* judgeOf(const Config& config, const LearnedObjectness* 
 
 std::vector<Link> judgeLinks(const PieceGraph& graph, const LearnedObjectness* model, int threads) {
   return model ? judgePairs(graph.pairs, graph.borders, *model, threads)
-               : judgePairsByRule(graph.pairs, graph.pieces, graph.borders);
+               : scorePairsByRule(graph.pairs, graph.pieces, graph.borders);
 }
 
 void judgeObjects(const Config& config, const LearnedObjectness* model, std::vector<GroupHypothesis>& groups) {
   if (model) {
     judgeGroups(*model, groups, config.runtime.threads);
   } else {
-    judgeGroupsByHand(config.objectness, config.volume.voxel_m,
+    scoreGroupsByRule(config.objectness, config.volume.voxel_m,
                       config.grouping.least_objectness - config.filter.threshold, groups);
   }
 }

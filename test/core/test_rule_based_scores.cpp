@@ -5,7 +5,7 @@
 
 #include "fixtures/leaf_model.hpp"
 #include "fixtures/small_scene.hpp"
-#include "grouping/hand_set.hpp"
+#include "grouping/rule_based_scores.hpp"
 #include "objectness_segmentation/pipeline.hpp"
 
 using namespace objectness;
@@ -74,7 +74,7 @@ TEST(HandSet, ContactsAreLinksWhereTheyAreNotClearlyConcave) {
   Borders borders;
   borders.pairs[{0, 1}].contact = 0.12f;
   for (const auto& [angle, probability] : {std::make_pair(-90.f, 0.f), {-35.5f, 0.f}, {-34.5f, 1.f}, {80.f, 1.f}}) {
-    const std::vector<Link> links = judgePairsByRule({contactOf(angle)}, twoPieces(), borders);
+    const std::vector<Link> links = scorePairsByRule({contactOf(angle)}, twoPieces(), borders);
     ASSERT_EQ(links.size(), 1u);
     EXPECT_TRUE(links[0].contact);
     EXPECT_EQ(links[0].probability, probability) << angle;
@@ -84,7 +84,7 @@ TEST(HandSet, ContactsAreLinksWhereTheyAreNotClearlyConcave) {
 }
 
 TEST(HandSet, GapsAreLinksWhereAllSpeaksForIt) {
-  const auto linked = [](const GapCues& cues) { return judgePairsByRule({{0, 1, cues}}, twoPieces(), {}); };
+  const auto linked = [](const GapCues& cues) { return scorePairsByRule({{0, 1, cues}}, twoPieces(), {}); };
   const std::vector<Link> links = linked(hiddenAndCoplanar());
   ASSERT_EQ(links.size(), 1u);
   EXPECT_FALSE(links[0].contact);
@@ -123,7 +123,7 @@ TEST(HandSet, GroupsAreWorthEquation6OfTheirBox) {
     EXPECT_NEAR(values.edge_density, density, 1e-4);
     EXPECT_NEAR(values.free_space, free_space, 1e-4);
     EXPECT_NEAR(values.free_voxels, free_cm3, 0.51);
-    judgeGroupsByHand(config, kVoxel_m, -0.2, groups);
+    scoreGroupsByRule(config, kVoxel_m, -0.2, groups);
     EXPECT_NEAR(groups[0].objectness, std::min(1.0, std::max(0.0, delta)), 1e-4);
     inner += delta > 0 && delta < 1;
   }

@@ -14,7 +14,7 @@ namespace objectness {
 /// certainty elsewhere. A gap is one with certainty where its sides are coplanar (cosine over 0.97, neither centroid
 /// farther than 10 mm from the other's plane) and hidden (occluded share over 0.4, free share under 0.1); elsewhere it
 /// says nothing, and there is no link.
-std::vector<Link> judgePairsByRule(const std::vector<PairEvidence>& evidence, const Pieces& pieces,
+std::vector<Link> scorePairsByRule(const std::vector<PairEvidence>& evidence, const Pieces& pieces,
                                    const Borders& borders);
 
 /// The cues of Eq. 1, 2, 4 and 5 of a group's own tight box, in voxels as those of the paper's boxes, so that the
@@ -25,7 +25,7 @@ CueValues paperCues(const GroupHypothesis& group, const ObjectnessConfig& config
 /// against least_objectness. With a shift of least_objectness - FilterConfig::threshold a group is rather left out
 /// where the paper leaves its box out. The gates (ObjectnessConfig::min_*), which keep out boxes of little or nothing,
 /// do not apply: groups are whole pieces.
-void judgeGroupsByHand(const ObjectnessConfig& config, double voxel_m, double shift,
+void scoreGroupsByRule(const ObjectnessConfig& config, double voxel_m, double shift,
                        std::vector<GroupHypothesis>& groups);
 
 }  // namespace objectness

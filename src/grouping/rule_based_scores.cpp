@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "grouping/hand_set.hpp"
+#include "grouping/rule_based_scores.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ struct Areas {
 
 }  // namespace
 
-std::vector<Link> judgePairsByRule(const std::vector<PairEvidence>& evidence, const Pieces& pieces,
+std::vector<Link> scorePairsByRule(const std::vector<PairEvidence>& evidence, const Pieces& pieces,
                                    const Borders& borders) {
   std::vector<Link> links;
   for (const PairEvidence& pair : evidence) {
@@ -62,7 +62,7 @@ CueValues paperCues(const GroupHypothesis& group, const ObjectnessConfig& config
   return cues;
 }
 
-void judgeGroupsByHand(const ObjectnessConfig& config, double voxel_m, double shift,
+void scoreGroupsByRule(const ObjectnessConfig& config, double voxel_m, double shift,
                        std::vector<GroupHypothesis>& groups) {
   for (GroupHypothesis& group : groups) {
     const double delta = objectness(paperCues(group, config, voxel_m), config);  // Eq. 6

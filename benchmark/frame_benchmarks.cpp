@@ -20,10 +20,10 @@ void addCounters(const Segmentation& result, benchmark::State& state) {
 
 }  // namespace
 
-void registerFrames(const BenchmarkScene& scene, const PeakMemory& memory, bool with_peers,
+void registerFrames(const BenchmarkScene& scene, const PeakMemory& memory, bool with_baselines,
                     const Repetitions& repetitions) {
   for (const FrameMethod& method : frameMethods()) {
-    if (method.is_peer && !with_peers) continue;
+    if (method.is_baseline && !with_baselines) continue;
     const double peak_mib = memory.mib(scene, method);
     // Buffers and the model are there from the second frame on, as they are for a camera.
     const auto warm = std::make_shared<bool>(false);

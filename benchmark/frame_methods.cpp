@@ -3,9 +3,9 @@
 
 #include <stdexcept>
 
+#include "baselines/baselines.hpp"
 #include "objectness_segmentation/io/config_yaml.hpp"
 #include "objectness_segmentation/pipeline.hpp"
-#include "peers/peers.hpp"
 
 namespace objectness::benchmarks {
 namespace {
@@ -28,11 +28,11 @@ FrameMethod ownMethod(const std::string& name, const std::string& volume, const 
 }
 
 /// pcl_normals: normals by PCL, too, in the place of the package's faster ones.
-FrameMethod peerMethod(Peer peer, bool pcl_normals) {
+FrameMethod baselineMethod(Baseline baseline, bool pcl_normals) {
   Config config = withThreads();
   config.normals.pcl = pcl_normals;
-  const auto run = [peer, config](const Frame& frame) { return segmentWithPeer(peer, frame, config); };
-  return {std::string(toString(peer)) + (pcl_normals ? "_pcl_normals" : ""), "none", run, true};
+  const auto run = [baseline, config](const Frame& frame) { return segmentWithBaseline(baseline, frame, config); };
+  return {std::string(toString(baseline)) + (pcl_normals ? "_pcl_normals" : ""), "none", run, true};
 }
 
 }  // namespace
@@ -59,10 +59,11 @@ std::vector<FrameMethod> frameMethods() {
   }
   for (const auto& [volume, config] : strictVolumes()) methods.push_back(ownMethod("paper_strict", volume, config));
   for (const bool pcl_normals : {false, true}) {
-    methods.push_back(peerMethod(Peer::kMps, pcl_normals));
-    methods.push_back(peerMethod(Peer::kLccp, pcl_normals));
+    methods.push_back(baselineMethod(Baseline::kMps, pcl_normals));
+    methods.push_back(baselineMethod(Baseline::kLccp, pcl_normals));
   }
-  for (const Peer peer : {Peer::kEuclidean, Peer::kOrganized}) methods.push_back(peerMethod(peer, false));
+  for (const Baseline baseline : {Baseline::kEuclidean, Baseline::kOrganized})
+    methods.push_back(baselineMethod(baseline, false));
   return methods;
 }
 

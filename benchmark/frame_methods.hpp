@@ -18,7 +18,7 @@ struct FrameMethod {
   std::string name;    ///< "objectness", "paper", "mps", ...
   std::string volume;  ///< of interest: "tight" or "wide"; "none" where there is none
   std::function<Segmentation(const Frame&)> run;
-  bool is_peer = false;  ///< one of PCL's
+  bool is_baseline = false;  ///< one of PCL's
 };
 
 /// Both of the package's methods; PCL's MPS and LCCP after the package's front end, with its normals or with PCL's; and

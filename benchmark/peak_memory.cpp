@@ -58,7 +58,7 @@ void PeakMemory::measure(const std::vector<BenchmarkScene>& scenes, const std::v
   std::vector<std::pair<const BenchmarkScene*, const FrameMethod*>> jobs;
   for (const BenchmarkScene& scene : scenes) {
     for (const FrameMethod& method : methods) {
-      if (!method.is_peer) jobs.emplace_back(&scene, &method);
+      if (!method.is_baseline) jobs.emplace_back(&scene, &method);
     }
   }
   if (jobs.empty()) return;

@@ -34,7 +34,7 @@ auto guarded(Work work) {
 
 /// "frame/METHOD/VOLUME/SCENE": wall and CPU time of a whole frame, kThreads threads, once it is warm. Counters: stages
 /// ("stage:NN:NAME", ms, in order), what was counted ("count:NAME"), peak_mib.
-void registerFrames(const BenchmarkScene& scene, const PeakMemory& memory, bool with_peers,
+void registerFrames(const BenchmarkScene& scene, const PeakMemory& memory, bool with_baselines,
                     const Repetitions& repetitions);
 
 /// What an exhaustive search costs, over all angles:

@@ -6,9 +6,9 @@
 
 namespace objectness {
 
-// The front end, the only one there is: both methods, the learning and the peers call it, so that they see the same.
-// `scene` is filled stage by stage: what was found stays there when a later stage fails, throws or is cancelled. The
-// observation does not depend on config.runtime.threads.
+// The front end, the only one there is: both methods, the learning and the baselines call it, so that they see the
+// same. `scene` is filled stage by stage: what was found stays there when a later stage fails, throws or is cancelled.
+// The observation does not depend on config.runtime.threads.
 
 /// Normals, table, refined normals and the points on the table (paper Sec. 2): what any segmenter of table tops needs.
 void observeTable(const Frame& frame, const Config& config, const Stages& stage, SceneObservation& scene);

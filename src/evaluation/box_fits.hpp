@@ -39,8 +39,8 @@ struct BoxFit {
   bool isSegmented() const;
 };
 
-/// The box of each segment. Those without one of their own (of peers) get the upright one around their visible points,
-/// of no size where there is no surface.
+/// The box of each segment. Those without one of their own (of baselines) get the upright one around their visible
+/// points, of no size where there is no surface.
 std::vector<OrientedBox> segmentBoxes(const Frame& frame, const Segmentation& found);
 
 /// A fit for each true box, in their order. Objects and segments are paired as for Scores; boxes are segmentBoxes().

@@ -5,11 +5,11 @@
 #include <boost/crc.hpp>
 #include <memory>
 
+#include "baselines/baselines.hpp"
 #include "evaluation/piece_methods.hpp"
 #include "objectness_segmentation/io/config_yaml.hpp"
 #include "objectness_segmentation/pipeline.hpp"
 #include "objectness_segmentation/sequence.hpp"
-#include "peers/peers.hpp"
 
 namespace objectness::evaluation {
 namespace {
@@ -53,11 +53,13 @@ Method learnedMethod(const std::string& name, const std::string& description, co
 }
 
 /// mps, lccp and cpc get the table and the points above it that the package finds.
-Method peerMethod(Peer peer, const std::string& description, const Config& config) {
-  return {toString(peer),
+Method baselineMethod(Baseline baseline, const std::string& description, const Config& config) {
+  return {toString(baseline),
           description,
-          settingsText(peer, PeersConfig{}) + "\n\n" + toYaml(config),
-          [peer, config](const Frame& frame) { return segmentWithPeer(peer, frame, config, PeersConfig{}); },
+          settingsText(baseline, BaselinesConfig{}) + "\n\n" + toYaml(config),
+          [baseline, config](const Frame& frame) {
+            return segmentWithBaseline(baseline, frame, config, BaselinesConfig{});
+          },
           false,
           config.input};
 }
@@ -95,13 +97,13 @@ std::vector<Method> allMethods(Config config, const std::optional<LearnedObjectn
       learnedMethod("objectness", "The package's default.", config, model),
       ownMethod("paper", "The paper's system; whole superpixels follow the box that holds most of them.", paper),
       ownMethod("boxes", "The paper's system; segments are the pixels within its boxes.", plain_boxes),
-      peerMethod(Peer::kMps, "PCL's organized multi-plane segmentation, the paper's baseline.", config),
-      peerMethod(Peer::kLccp, "PCL's locally convex connected patches over supervoxels.", config),
-      peerMethod(Peer::kCpc, "PCL's constrained planar cuts over supervoxels.", config),
-      peerMethod(Peer::kEuclidean, "PCL alone: passthrough, a plane by RANSAC, Euclidean clusters of the rest.",
-                 config),
-      peerMethod(Peer::kOrganized, "PCL alone: passthrough, a plane by RANSAC, connected components of the rest.",
-                 config),
+      baselineMethod(Baseline::kMps, "PCL's organized multi-plane segmentation, the paper's baseline.", config),
+      baselineMethod(Baseline::kLccp, "PCL's locally convex connected patches over supervoxels.", config),
+      baselineMethod(Baseline::kCpc, "PCL's constrained planar cuts over supervoxels.", config),
+      baselineMethod(Baseline::kEuclidean, "PCL alone: passthrough, a plane by RANSAC, Euclidean clusters of the rest.",
+                     config),
+      baselineMethod(Baseline::kOrganized,
+                     "PCL alone: passthrough, a plane by RANSAC, connected components of the rest.", config),
       clusteringMethod(config, model),
       oracleMethod(config),
   };

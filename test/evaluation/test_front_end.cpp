@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Both methods, the learning and the peers start from one observation of a frame.
+// Both methods, the learning and the baselines start from one observation of a frame.
 #include <gtest/gtest.h>
 
 #include <cstring>
 
+#include "baselines/baselines.hpp"
 #include "fixtures/demo_images.hpp"
 #include "front_end.hpp"
 #include "learning/training_scene.hpp"
 #include "objectness_segmentation/pipeline.hpp"
-#include "peers/peers.hpp"
 
 using namespace objectness;
 
 namespace {
 
-constexpr Peer kPeersOnTheTable[] = {Peer::kMps, Peer::kLccp, Peer::kCpc};
+constexpr Baseline kBaselinesOnTheTable[] = {Baseline::kMps, Baseline::kLccp, Baseline::kCpc};
 
 template <class T>
 bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
@@ -65,7 +65,7 @@ struct DemoScene {
 
 }  // namespace
 
-TEST(FrontEnd, BothMethodsTheLearningAndThePeersObserveTheSame) {
+TEST(FrontEnd, BothMethodsTheLearningAndTheBaselinesObserveTheSame) {
   const DemoScene scene;
   Config config;
   config.normals.max_error_deg = 0.5;  // normals are refined: a front end that leaves this out shows
@@ -77,9 +77,9 @@ TEST(FrontEnd, BothMethodsTheLearningAndThePeersObserveTheSame) {
   for (const int threads : {1, 3}) {
     config.runtime.threads = threads;
     expectSameScene(observe(scene.frame, scene.truth, config), found);
-    for (const Peer peer : kPeersOnTheTable) {
-      SCOPED_TRACE(toString(peer));
-      expectSameTable(segmentWithPeer(peer, scene.frame, config), found);
+    for (const Baseline baseline : kBaselinesOnTheTable) {
+      SCOPED_TRACE(toString(baseline));
+      expectSameTable(segmentWithBaseline(baseline, scene.frame, config), found);
     }
   }
 
@@ -91,7 +91,7 @@ TEST(FrontEnd, BothMethodsTheLearningAndThePeersObserveTheSame) {
   expectSameScene(observe(scene.frame, scene.truth, config), found);  // learning is for groups, whatever segments
 }
 
-TEST(FrontEnd, PeersAreTimedStageByStageLikeTheMethods) {
+TEST(FrontEnd, BaselinesAreTimedStageByStageLikeTheMethods) {
   const DemoScene scene;
   const auto stagesOf = [](const Segmentation& result) {
     std::vector<std::string> names;
@@ -101,10 +101,10 @@ TEST(FrontEnd, PeersAreTimedStageByStageLikeTheMethods) {
   std::vector<std::string> expected = stagesOf(segment(scene.frame, {}));
   expected.resize(4);
   EXPECT_EQ(expected.back(), "object_points");
-  for (const Peer peer : kPeersOnTheTable) {
-    std::vector<std::string> stages = stagesOf(segmentWithPeer(peer, scene.frame, {}));
+  for (const Baseline baseline : kBaselinesOnTheTable) {
+    std::vector<std::string> stages = stagesOf(segmentWithBaseline(baseline, scene.frame, {}));
     ASSERT_EQ(stages.size(), 6u);
-    EXPECT_EQ(stages[4], toString(peer));
+    EXPECT_EQ(stages[4], toString(baseline));
     stages.resize(4);
     EXPECT_EQ(stages, expected);
   }
@@ -118,8 +118,8 @@ TEST(FrontEnd, TornDepthIsRefusedByAll) {
   const Status status = segment(scene.frame, {}).status;
   EXPECT_EQ(status.code, StatusCode::kBadInput);
   EXPECT_EQ(observe(scene.frame, scene.truth, {}).status.message, status.message);
-  for (const Peer peer : kPeersOnTheTable) {
-    EXPECT_EQ(segmentWithPeer(peer, scene.frame, {}).status.message, status.message);
+  for (const Baseline baseline : kBaselinesOnTheTable) {
+    EXPECT_EQ(segmentWithBaseline(baseline, scene.frame, {}).status.message, status.message);
   }
 }
 

@@ -4,38 +4,38 @@
 #include <map>
 #include <random>
 
+#include "baselines/baselines.hpp"
+#include "baselines/euclidean_clusters.hpp"
+#include "baselines/organized_clusters.hpp"
 #include "fixtures/table_scene.hpp"
-#include "peers/euclidean_clusters.hpp"
-#include "peers/organized_clusters.hpp"
-#include "peers/peers.hpp"
 
 using namespace objectness;
 using namespace objectness_test;
 
 namespace {
 
-constexpr Peer kPclAlone[] = {Peer::kEuclidean, Peer::kOrganized};
+constexpr Baseline kPclAlone[] = {Baseline::kEuclidean, Baseline::kOrganized};
 
 }  // namespace
 
 TEST(PclAlone, BadSettingsAreNamed) {
   Scene scene = tableWith({});
   const Frame frame = scene.render();
-  PeersConfig settings;
+  BaselinesConfig settings;
   settings.euclidean.cluster_distance_m = settings.organized.plane.plane_distance_m = std::nan("");
-  const Status euclidean = segmentWithPeer(Peer::kEuclidean, frame, Config(), settings).status;
+  const Status euclidean = segmentWithBaseline(Baseline::kEuclidean, frame, Config(), settings).status;
   EXPECT_EQ(euclidean.code, StatusCode::kBadConfig);
   EXPECT_NE(euclidean.message.find("euclidean.cluster_distance_m"), std::string::npos) << euclidean.message;
-  const Status organized = segmentWithPeer(Peer::kOrganized, frame, Config(), settings).status;
+  const Status organized = segmentWithBaseline(Baseline::kOrganized, frame, Config(), settings).status;
   EXPECT_NE(organized.message.find("organized.plane_distance_m"), std::string::npos) << organized.message;
 }
 
 TEST(PclAlone, FindsThePlaneOfMostPointsAndWhatStandsOnIt) {
   Scene scene = tableWith({box({-0.25, -0.05, 0}, {-0.11, 0.07, 0.2}), box({0.02, -0.1, 0}, {0.1, -0.02, 0.08})});
   const Frame frame = scene.render();
-  for (const Peer peer : kPclAlone) {
-    SCOPED_TRACE(toString(peer));
-    const Segmentation result = segmentWithPeer(peer, frame, Config());
+  for (const Baseline baseline : kPclAlone) {
+    SCOPED_TRACE(toString(baseline));
+    const Segmentation result = segmentWithBaseline(baseline, frame, Config());
     ASSERT_TRUE(result.status.ok()) << result.status.message;
     const Eigen::Vector3d up = scene.T_world_camera.linear().transpose() * Eigen::Vector3d::UnitZ();
     EXPECT_GT(result.table.normal.dot(up), std::cos(M_PI / 180));
@@ -49,31 +49,32 @@ TEST(PclAlone, FindsThePlaneOfMostPointsAndWhatStandsOnIt) {
       ASSERT_TRUE(result.labels(i) < 2 || (result.object_points.mask(i) && z > 0.3f && z < 1.5f));
     }
     EXPECT_EQ(result.report.timings_ms[0].first, "plane");
-    EXPECT_EQ(result.report.timings_ms[1].first, toString(peer));
+    EXPECT_EQ(result.report.timings_ms[1].first, toString(baseline));
   }
 }
 
 TEST(PclAlone, LeavesOutWhatIsTooFarTooSmallOrTooLarge) {
   Scene scene = tableWith({box({-0.25, -0.05, 0}, {-0.11, 0.07, 0.2}), box({0.02, -0.1, 0}, {0.1, -0.02, 0.08})});
   const Frame frame = scene.render();
-  const auto sizesWith = [&](const PeersConfig& settings, Peer peer) {
+  const auto sizesWith = [&](const BaselinesConfig& settings, Baseline baseline) {
     std::vector<std::size_t> sizes;
-    for (const Segment& s : segmentWithPeer(peer, frame, Config(), settings).segments) sizes.push_back(s.pixels.size());
+    for (const Segment& s : segmentWithBaseline(baseline, frame, Config(), settings).segments)
+      sizes.push_back(s.pixels.size());
     return sizes;
   };
-  for (const Peer peer : kPclAlone) {
-    const std::vector<std::size_t> sizes = sizesWith({}, peer);
+  for (const Baseline baseline : kPclAlone) {
+    const std::vector<std::size_t> sizes = sizesWith({}, baseline);
     ASSERT_EQ(sizes.size(), 2u);
     ASSERT_GT(sizes[0], sizes[1]);
-    PeersConfig settings;
+    BaselinesConfig settings;
     settings.euclidean.min_pixels = settings.organized.min_pixels = static_cast<int>(sizes[1]) + 1;
-    EXPECT_EQ(sizesWith(settings, peer), std::vector<std::size_t>{sizes[0]});
+    EXPECT_EQ(sizesWith(settings, baseline), std::vector<std::size_t>{sizes[0]});
     settings = {};
     settings.euclidean.max_pixels = settings.organized.max_pixels = static_cast<int>(sizes[0]) - 1;
-    EXPECT_EQ(sizesWith(settings, peer), std::vector<std::size_t>{sizes[1]});
+    EXPECT_EQ(sizesWith(settings, baseline), std::vector<std::size_t>{sizes[1]});
     settings = {};
     settings.euclidean.plane.max_depth_m = settings.organized.plane.max_depth_m = 0.31;
-    EXPECT_EQ(segmentWithPeer(peer, frame, Config(), settings).status.code, StatusCode::kNoTable);
+    EXPECT_EQ(segmentWithBaseline(baseline, frame, Config(), settings).status.code, StatusCode::kNoTable);
   }
 }
 
@@ -126,8 +127,8 @@ TEST(PclAlone, ClustersAreThoseOfAPlainLoop) {
 TEST(PclAlone, VoxelsGiveEveryPointALabel) {
   Scene scene = tableWith({box({-0.25, -0.05, 0}, {-0.11, 0.07, 0.2}), box({0.02, -0.1, 0}, {0.1, -0.02, 0.08})});
   const Frame frame = scene.render();
-  PeersConfig settings;
-  const Segmentation result = segmentWithPeer(Peer::kEuclidean, frame, Config(), settings);
+  BaselinesConfig settings;
+  const Segmentation result = segmentWithBaseline(Baseline::kEuclidean, frame, Config(), settings);
   const std::vector<int> labels = labelEuclideanClusters(frame, result.object_points.mask, settings.euclidean);
   int points = 0, labelled = 0;
   for (int i = 0; i < frame.size(); ++i) {
@@ -142,8 +143,8 @@ TEST(PclAlone, NoPlaneIsSaid) {
   Frame empty;
   empty.camera = kinect();
   empty.points.assign(empty.size(), Eigen::Vector3f::Constant(std::nanf("")));
-  for (const Peer peer : kPclAlone) {
-    EXPECT_EQ(segmentWithPeer(peer, empty, Config()).status.code, StatusCode::kNoTable);
+  for (const Baseline baseline : kPclAlone) {
+    EXPECT_EQ(segmentWithBaseline(baseline, empty, Config()).status.code, StatusCode::kNoTable);
   }
 }
 
@@ -153,8 +154,8 @@ TEST(PclAlone, SeesThePictureAsItIs) {
   const Frame frame = scene.render();
   Config averaged;
   averaged.resolution = {0.01, 100};
-  for (const Peer peer : kPclAlone) {
-    const Segmentation as_it_is = segmentWithPeer(peer, frame, Config());
-    EXPECT_EQ(cv::countNonZero(as_it_is.labels != segmentWithPeer(peer, frame, averaged).labels), 0);
+  for (const Baseline baseline : kPclAlone) {
+    const Segmentation as_it_is = segmentWithBaseline(baseline, frame, Config());
+    EXPECT_EQ(cv::countNonZero(as_it_is.labels != segmentWithBaseline(baseline, frame, averaged).labels), 0);
   }
 }

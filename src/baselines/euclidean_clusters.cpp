@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "peers/euclidean_clusters.hpp"
+#include "baselines/euclidean_clusters.hpp"
 
 #include <pcl/filters/voxel_grid.h>
 #include <pcl/point_cloud.h>

@@ -3,15 +3,15 @@
 
 #include <string>
 
+#include "baselines/baselines_config.hpp"
 #include "objectness_segmentation/config.hpp"
 #include "objectness_segmentation/result.hpp"
 #include "objectness_segmentation/scene/frame.hpp"
-#include "peers/peers_config.hpp"
 
 namespace objectness {
 
 /// Segmenters of PCL that the package's own method is measured against.
-enum class Peer {
+enum class Baseline {
   kMps,
   kLccp,
   kCpc,
@@ -20,7 +20,7 @@ enum class Peer {
 };
 
 /// "mps", "lccp", "cpc", "euclidean", "organized".
-const char* toString(Peer peer);
+const char* toString(Baseline baseline);
 
 /// Segments a frame by one of PCL's own segmenters. kMps, kLccp and kCpc get the points on the table and the normals
 /// that segment() starts from, by the same functions and on as many threads (config.runtime.threads), so that methods
@@ -30,9 +30,10 @@ const char* toString(Peer peer);
 /// Segments come largest first; their box, objectness and cues are not set. The same frame and settings give the same
 /// result. Never throws for bad data: the reason is in Segmentation::status, kBadConfig for settings out of range
 /// among them. PCL's messages are kept off the console.
-Segmentation segmentWithPeer(Peer peer, const Frame& frame, const Config& config, const PeersConfig& settings = {});
+Segmentation segmentWithBaseline(Baseline baseline, const Frame& frame, const Config& config,
+                                 const BaselinesConfig& settings = {});
 
-/// The settings of a peer in one line: "voxel_m 0.006, seed_m 0.025, ...".
-std::string settingsText(Peer peer, const PeersConfig& settings);
+/// The settings of a baseline in one line: "voxel_m 0.006, seed_m 0.025, ...".
+std::string settingsText(Baseline baseline, const BaselinesConfig& settings);
 
 }  // namespace objectness

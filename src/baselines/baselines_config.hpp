@@ -5,8 +5,8 @@
 
 namespace objectness {
 
-// The defaults are what served each peer best on the 45 learn scenes of the modified Object Segmentation Database, by
-// the sum of overlap F and F75 (see doc/evaluation.md), after some 30 (MPS), 370 (LCCP) and 170 (CPC) settings.
+// The defaults are what served each baseline best on the 45 learn scenes of the modified Object Segmentation Database,
+// by the sum of overlap F and F75 (see doc/evaluation.md), after some 30 (MPS), 370 (LCCP) and 170 (CPC) settings.
 
 /// MPS, the paper's baseline: organized multi-plane segmentation, then connected components of the points off the
 /// planes (Trevor, Gedikli, Rusu & Christensen, SPME 2013; pcl::OrganizedMultiPlaneSegmentation and
@@ -184,7 +184,7 @@ struct OrganizedConfig {
   }
 };
 
-struct PeersConfig {
+struct BaselinesConfig {
   MpsConfig mps;
   LccpConfig lccp;
   CpcConfig cpc;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "peers/mps.hpp"
+#include "baselines/mps.hpp"
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 #include <pcl/segmentation/organized_multi_plane_segmentation.h>
 
+#include "baselines/organized_cloud.hpp"
+#include "baselines/organized_clusters.hpp"
 #include "common/angles.hpp"
-#include "peers/organized_cloud.hpp"
-#include "peers/organized_clusters.hpp"
 
 namespace objectness {
 namespace {

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "peers/peers.hpp"
+#include "baselines/baselines.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <map>
 #include <sstream>
 
+#include "baselines/convex_parts.hpp"
+#include "baselines/euclidean_clusters.hpp"
+#include "baselines/mps.hpp"
+#include "baselines/organized_clusters.hpp"
+#include "baselines/ransac_plane.hpp"
 #include "common/thread_pool.hpp"
 #include "front_end.hpp"
 #include "guarded_segmentation.hpp"
 #include "io/quiet_pcl.hpp"
 #include "needed_resolution.hpp"
-#include "peers/convex_parts.hpp"
-#include "peers/euclidean_clusters.hpp"
-#include "peers/mps.hpp"
-#include "peers/organized_clusters.hpp"
-#include "peers/ransac_plane.hpp"
 #include "scene/plane_grid.hpp"
 #include "segments/segments.hpp"
 
@@ -23,24 +23,24 @@ namespace objectness {
 namespace {
 
 template <class Visit>
-void visitFields(Peer peer, const PeersConfig& settings, Visit&& visit) {
-  if (peer == Peer::kMps) MpsConfig::fields(settings.mps, visit);
-  if (peer == Peer::kLccp) LccpConfig::fields(settings.lccp, visit);
-  if (peer == Peer::kCpc) CpcConfig::fields(settings.cpc, visit);
-  if (peer == Peer::kEuclidean) EuclideanConfig::fields(settings.euclidean, visit);
-  if (peer == Peer::kOrganized) OrganizedConfig::fields(settings.organized, visit);
+void visitFields(Baseline baseline, const BaselinesConfig& settings, Visit&& visit) {
+  if (baseline == Baseline::kMps) MpsConfig::fields(settings.mps, visit);
+  if (baseline == Baseline::kLccp) LccpConfig::fields(settings.lccp, visit);
+  if (baseline == Baseline::kCpc) CpcConfig::fields(settings.cpc, visit);
+  if (baseline == Baseline::kEuclidean) EuclideanConfig::fields(settings.euclidean, visit);
+  if (baseline == Baseline::kOrganized) OrganizedConfig::fields(settings.organized, visit);
 }
 
 /// The first value out of its range, a sentence; empty when there is none.
 struct RangeCheck {
-  const char* peer;
+  const char* baseline;
   std::string problem;
 
   template <class T>
   void operator()(const char* name, const T& value, const Range& range, const char*) {
     if (!problem.empty() || (value >= range.min && value <= range.max)) return;
     std::ostringstream text;
-    text << peer << "." << name << " is " << value << ", not within " << range.min << " to " << range.max;
+    text << baseline << "." << name << " is " << value << ", not within " << range.min << " to " << range.max;
     problem = text.str();
   }
   void operator()(const char*, const bool&, const char*) {}
@@ -58,17 +58,18 @@ struct SettingsPrinter {
   }
 };
 
-bool isPclAlone(Peer peer) { return peer == Peer::kEuclidean || peer == Peer::kOrganized; }
+bool isPclAlone(Baseline baseline) { return baseline == Baseline::kEuclidean || baseline == Baseline::kOrganized; }
 
-std::string problemOf(Peer peer, const Config& config, const PeersConfig& settings) {
+std::string problemOf(Baseline baseline, const Config& config, const BaselinesConfig& settings) {
   const std::vector<std::string> problems = validate(config);
   if (!problems.empty()) return problems.front();
-  RangeCheck check{toString(peer), ""};
-  visitFields(peer, settings, check);
-  const bool has_supervoxels = peer == Peer::kLccp || peer == Peer::kCpc;
-  const LccpConfig& lccp = peer == Peer::kCpc ? settings.cpc.lccp : settings.lccp;
+  RangeCheck check{toString(baseline), ""};
+  visitFields(baseline, settings, check);
+  const bool has_supervoxels = baseline == Baseline::kLccp || baseline == Baseline::kCpc;
+  const LccpConfig& lccp = baseline == Baseline::kCpc ? settings.cpc.lccp : settings.lccp;
   if (check.problem.empty() && has_supervoxels && lccp.seed_m < lccp.voxel_m) {
-    check.problem = std::string(toString(peer)) + ".seed_m is less than voxel_m: a supervoxel needs a voxel at least";
+    check.problem =
+        std::string(toString(baseline)) + ".seed_m is less than voxel_m: a supervoxel needs a voxel at least";
   }
   return check.problem;
 }
@@ -105,31 +106,31 @@ void observePlane(const Frame& frame, const RansacPlaneConfig& config, const Sta
   scene.object_points = std::move(found.value.points);
 }
 
-void observe(Peer peer, const Frame& frame, const Config& config, const PeersConfig& settings, const Stages& stage,
-             SceneObservation& scene) {
-  if (peer == Peer::kEuclidean) {
+void observe(Baseline baseline, const Frame& frame, const Config& config, const BaselinesConfig& settings,
+             const Stages& stage, SceneObservation& scene) {
+  if (baseline == Baseline::kEuclidean) {
     observePlane(frame, settings.euclidean.plane, stage, scene);
-  } else if (peer == Peer::kOrganized) {
+  } else if (baseline == Baseline::kOrganized) {
     observePlane(frame, settings.organized.plane, stage, scene);
   } else {
     observeTable(frame, config, stage, scene);
   }
 }
 
-std::vector<int> labelObjects(Peer peer, const Frame& frame, const PeersConfig& settings, const SceneObservation& scene,
-                              Sizes& sizes) {
+std::vector<int> labelObjects(Baseline baseline, const Frame& frame, const BaselinesConfig& settings,
+                              const SceneObservation& scene, Sizes& sizes) {
   const cv::Mat_<uchar>& mask = scene.object_points.mask;
-  switch (peer) {
-    case Peer::kMps:
+  switch (baseline) {
+    case Baseline::kMps:
       sizes = {settings.mps.min_pixels};
       return labelMps(frame, scene.normals, mask, settings.mps);
-    case Peer::kLccp:
+    case Baseline::kLccp:
       sizes = {settings.lccp.min_pixels};
       return labelLccp(frame, scene.normals, mask, settings.lccp);
-    case Peer::kCpc:
+    case Baseline::kCpc:
       sizes = {settings.cpc.lccp.min_pixels};
       return labelCpc(frame, scene.normals, mask, settings.cpc);
-    case Peer::kEuclidean:
+    case Baseline::kEuclidean:
       sizes = {settings.euclidean.min_pixels, settings.euclidean.max_pixels};
       return labelEuclideanClusters(frame, mask, settings.euclidean);
     default:
@@ -139,14 +140,15 @@ std::vector<int> labelObjects(Peer peer, const Frame& frame, const PeersConfig& 
   }
 }
 
-void run(Peer peer, const Frame& frame, const Config& config, const PeersConfig& settings, Segmentation& result) {
+void run(Baseline baseline, const Frame& frame, const Config& config, const BaselinesConfig& settings,
+         Segmentation& result) {
   const Stages stage(nullptr, result.report);
   const QuietPcl quiet;
-  observe(peer, frame, config, settings, stage, result);
+  observe(baseline, frame, config, settings, stage, result);
   if (!result.status.ok()) return;
   Sizes sizes{0};
   const std::vector<int> labels =
-      stage(toString(peer), [&] { return labelObjects(peer, frame, settings, result, sizes); });
+      stage(toString(baseline), [&] { return labelObjects(baseline, frame, settings, result, sizes); });
   result.segments = collectSegments(labels, sizes);
   keepMeasured(frame.bridged, result.segments);
   result.labels = labelImage(result.object_points.on_table, frame.bridged, result.segments);
@@ -156,27 +158,28 @@ void run(Peer peer, const Frame& frame, const Config& config, const PeersConfig&
 
 }  // namespace
 
-const char* toString(Peer peer) {
-  switch (peer) {
-    case Peer::kMps:
+const char* toString(Baseline baseline) {
+  switch (baseline) {
+    case Baseline::kMps:
       return "mps";
-    case Peer::kLccp:
+    case Baseline::kLccp:
       return "lccp";
-    case Peer::kCpc:
+    case Baseline::kCpc:
       return "cpc";
-    case Peer::kEuclidean:
+    case Baseline::kEuclidean:
       return "euclidean";
     default:
       return "organized";
   }
 }
 
-Segmentation segmentWithPeer(Peer peer, const Frame& frame, const Config& config, const PeersConfig& settings) {
+Segmentation segmentWithBaseline(Baseline baseline, const Frame& frame, const Config& config,
+                                 const BaselinesConfig& settings) {
   return guardedSegmentation(frame, [&](Segmentation& result) {
-    const std::string problem = problemOf(peer, config, settings);
+    const std::string problem = problemOf(baseline, config, settings);
     if (problem.empty()) {
-      const auto at = [&](const Frame& seen) { run(peer, seen, config, settings, result); };
-      if (isPclAlone(peer)) {
+      const auto at = [&](const Frame& seen) { run(baseline, seen, config, settings, result); };
+      if (isPclAlone(baseline)) {
         const ThreadPool pool(config.runtime.threads);
         at(frame);
       } else {
@@ -188,9 +191,9 @@ Segmentation segmentWithPeer(Peer peer, const Frame& frame, const Config& config
   });
 }
 
-std::string settingsText(Peer peer, const PeersConfig& settings) {
+std::string settingsText(Baseline baseline, const BaselinesConfig& settings) {
   SettingsPrinter printer;
-  visitFields(peer, settings, printer);
+  visitFields(baseline, settings, printer);
   return printer.text.str();
 }
 

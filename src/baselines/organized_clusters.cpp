@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "peers/organized_clusters.hpp"
+#include "baselines/organized_clusters.hpp"
 
 #include <pcl/segmentation/euclidean_cluster_comparator.h>
 #include <pcl/segmentation/organized_connected_component_segmentation.h>
 
-#include "peers/organized_cloud.hpp"
+#include "baselines/organized_cloud.hpp"
 
 namespace objectness {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "peers/ransac_plane.hpp"
+#include "baselines/ransac_plane.hpp"
 
 #include <pcl/ModelCoefficients.h>
 #include <pcl/PointIndices.h>
@@ -8,7 +8,7 @@
 
 #include <limits>
 
-#include "peers/organized_cloud.hpp"
+#include "baselines/organized_cloud.hpp"
 
 namespace objectness {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "peers/convex_parts.hpp"
+#include "baselines/convex_parts.hpp"
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>

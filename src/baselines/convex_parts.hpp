@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "baselines/baselines_config.hpp"
 #include "objectness_segmentation/scene/object_points.hpp"
-#include "peers/peers_config.hpp"
 
 namespace objectness {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "baselines/baselines_config.hpp"
 #include "objectness_segmentation/scene/object_points.hpp"
-#include "peers/peers_config.hpp"
 
 namespace objectness {
 

@@ -45,7 +45,7 @@ struct Sums {
     for (int k = 0; k < 3; ++k) sides[k].add(std::abs(errors.sides_mm[k]));
     near.add(errors.sides_mm.cwiseAbs().maxCoeff() <= kNear_mm);
   }
-  Figures columns() const {
+  Metrics columns() const {
     return {{"objects", all.count},         {"segmented", overlap.count},      {"IoU_all", all.value()},
             {"IoU", overlap.value()},       {"IoU50", half.value()},           {"IoU70", most.value()},
             {"points_IoU", points.value()}, {"points50", points_half.value()}, {"points70", points_most.value()},

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "evaluation/figures.hpp"
+#include "evaluation/metrics.hpp"
 #include "evaluation/run.hpp"
 #include "evaluation/scene_result.hpp"
 #include "objectness_segmentation/common/status.hpp"
@@ -21,7 +21,7 @@ struct BoxRow {
   /// 0.5 and 0.7; points_IoU, points50 and points70, the same of the upright box around their visible points; means
   /// of centre_mm and of the absolute errors yaw_deg (of those with a yaw), long_mm, short_mm and height_mm; and
   /// sides_10mm, share with all three sides within 10 mm.
-  Figures columns;
+  Metrics columns;
 };
 
 /// By method, in the order of the run: all objects, then by group (a group "all" has no row), then by kind.

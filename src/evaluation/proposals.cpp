@@ -16,7 +16,7 @@ bool holds(const OrientedBox& box, const Eigen::Isometry3d& T_box_camera, const 
 }
 
 void measureBestBox(const Frame& frame, const Segmentation& result, const cv::Mat_<ushort>& labels, double margin_m,
-                    ProposalFigures& figures) {
+                    ProposalMetrics& figures) {
   if (result.proposals.empty()) return;
   const OrientedBox& box = result.proposals.front().box;
   const Eigen::Isometry3d T_box_camera = box.T_camera_box.inverse();
@@ -72,9 +72,9 @@ Footprint footprintOf(const Frame& frame, const Table& table, const ObjectPoints
   return footprint;
 }
 
-ProposalFigures measureProposals(const Frame& frame, const Segmentation& result, const cv::Mat_<ushort>& labels,
+ProposalMetrics measureProposals(const Frame& frame, const Segmentation& result, const cv::Mat_<ushort>& labels,
                                  const std::vector<TrueBox>& truth, double margin_m) {
-  ProposalFigures figures;
+  ProposalMetrics figures;
   figures.objects = static_cast<int>(truth.size());
   figures.proposals = static_cast<int>(result.proposals.size());
   if (!result.status.ok()) return figures;

@@ -25,7 +25,7 @@ BoxRecall boxRecall(const std::vector<OrientedBox>& boxes, const std::vector<Tru
 Footprint footprintOf(const Frame& frame, const Table& table, const ObjectPoints& object_points);
 
 /// What the objectness measure is worth by itself, in one scene.
-struct ProposalFigures {
+struct ProposalMetrics {
   int objects = 0;       ///< true boxes
   int proposals = 0;     ///< boxes that the filtering left
   BoxRecall objectness;  ///< of Segmentation::proposals
@@ -37,7 +37,7 @@ struct ProposalFigures {
 };
 
 /// labels: H x W as SceneImages::true_labels; margin_m: FilterConfig::box_margin_m.
-ProposalFigures measureProposals(const Frame& frame, const Segmentation& result, const cv::Mat_<ushort>& labels,
+ProposalMetrics measureProposals(const Frame& frame, const Segmentation& result, const cv::Mat_<ushort>& labels,
                                  const std::vector<TrueBox>& truth, double margin_m);
 
 }  // namespace objectness::evaluation

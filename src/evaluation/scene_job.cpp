@@ -106,7 +106,7 @@ class Job {
       const auto boxes = findTrueBoxes(scene_.folder, frame.value, found.table, annotation_);
       if (!boxes.ok()) return refuse(boxes.status.message);
       result_.proposals =
-          toFigures(measureProposals(frame.value, found, annotation_, boxes.value, FilterConfig{}.box_margin_m));
+          toMetrics(measureProposals(frame.value, found, annotation_, boxes.value, FilterConfig{}.box_margin_m));
     }
     const Status pictures = savePictures(frame.value, found);
     return pictures.ok() ? saveResult(report_, result_) : pictures;
@@ -190,9 +190,9 @@ class Job {
     result_.problem = problem;
     scoreNothing();
     if (method_.proposes_boxes && hasLabels()) {
-      ProposalFigures none;
+      ProposalMetrics none;
       none.objects = countObjects(annotation_);
-      result_.proposals = toFigures(none);
+      result_.proposals = toMetrics(none);
     }
     return saveResult(report_, result_);
   }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "evaluation/box_fits.hpp"
-#include "evaluation/figures.hpp"
+#include "evaluation/metrics.hpp"
 #include "evaluation/picture_boxes.hpp"
 #include "evaluation/scores.hpp"
 #include "objectness_segmentation/common/stage_timer.hpp"
@@ -34,8 +34,8 @@ struct SceneResult {
   std::vector<OrientedBox> segment_boxes;         ///< segmentBoxes()
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< away from the table, camera frame
   int segments = 0;
-  Figures proposals;      ///< toFigures(), of methods that propose boxes
-  Figures gaps;           ///< selection_gap and annealing_gap of Report::values, where there are any
+  Metrics proposals;      ///< toMetrics(), of methods that propose boxes
+  Metrics gaps;           ///< selection_gap and annealing_gap of Report::values, where there are any
   StageTimes timings_ms;  ///< as in Report
   double peak_mib = 0;    ///< most memory its process held until the segments were there
 

@@ -65,7 +65,7 @@ class Sequence {
     for (std::size_t k = 0; k < frames.size(); ++k) addFrame(k);
   }
 
-  Figures columns() const {
+  Metrics columns() const {
     std::vector<double> centres, sides;
     for (const Identity& identity : identities_) {
       addSpread(identity.centres_mm, centres);
@@ -133,8 +133,8 @@ constexpr const char* kCounted = "frames";
 
 }  // namespace
 
-Figures measureStability(const std::vector<StillFrame>& frames) {
-  return frames.size() < 2 ? Figures{} : Sequence(frames).columns();
+Metrics measureStability(const std::vector<StillFrame>& frames) {
+  return frames.size() < 2 ? Metrics{} : Sequence(frames).columns();
 }
 
 Result<std::vector<StabilityRow>> summarizeStability(const std::string& report, const Run& run,

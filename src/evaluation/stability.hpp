@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "evaluation/figures.hpp"
+#include "evaluation/metrics.hpp"
 #include "evaluation/run.hpp"
 #include "evaluation/scene_result.hpp"
 #include "objectness_segmentation/common/status.hpp"
@@ -25,12 +25,12 @@ struct StillFrame {
 /// next one has no partner for; segment_IoU, mean overlap of partners; turn_median_deg and turn_max_deg, turns about
 /// `up` between the boxes of partners (BoxErrors::yaw_deg); and centre_spread_mm and side_spread_mm, root mean square
 /// of the distance of an identity's centres, and of its sides, from their means. Empty for fewer than two frames.
-Figures measureStability(const std::vector<StillFrame>& frames);
+Metrics measureStability(const std::vector<StillFrame>& frames);
 
 /// The stability of a method over the scenes of a data set, which are frames in the order of their names.
 struct StabilityRow {
   std::string method, sequence;
-  Figures columns;
+  Metrics columns;
 };
 
 /// Reads the labels that the report holds. Data sets with a frame without result are left out. kBadInput: labels that

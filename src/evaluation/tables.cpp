@@ -30,7 +30,7 @@ struct Sums {
   MeanScores scores;
   std::vector<double> ms;
   double peak_mib = 0;
-  std::vector<Figures> proposals, gaps;
+  std::vector<Metrics> proposals, gaps;
 
   void add(const SceneResult& result, Level level) {
     scores.add(*result.scores(level));
@@ -40,8 +40,8 @@ struct Sums {
     proposals.push_back(result.proposals);
     gaps.push_back(result.gaps);
   }
-  Figures columns() const {
-    Figures columns{{"scenes", scores.count()}};
+  Metrics columns() const {
+    Metrics columns{{"scenes", scores.count()}};
     const Scores means = scores.mean();
     Scores::fields(means, [&](const char* name, double mean) { columns.emplace_back(name, mean); });
     columns.emplace_back("ms", ms.empty() ? 0 : median(ms));
@@ -60,7 +60,7 @@ std::string toCsv(const Run& run, const std::vector<SceneResult>& results) {
   csv << "method,level,scene,group,state";
   Scores::fields(none, [&](const char* name, double) { csv << ',' << name; });
   csv << ",segments,ms,peak_mib";
-  const Figures proposals = toFigures(ProposalFigures{});
+  const Metrics proposals = toMetrics(ProposalMetrics{});
   for (const auto& column : proposals) csv << ',' << column.first;
   csv << '\n';
   for (const auto& method : run.methods) {

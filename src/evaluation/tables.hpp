@@ -15,9 +15,9 @@ namespace objectness::evaluation {
 struct SummaryRow {
   std::string method, level;
   std::string group;  ///< "ALL": every scene
-  Figures columns;    ///< scenes, means of Scores, ms (median), peak_mib (largest)
-  Figures proposals;  ///< poolProposals(), at object level
-  Figures gaps;       ///< poolGaps(), at object level
+  Metrics columns;    ///< scenes, means of Scores, ms (median), peak_mib (largest)
+  Metrics proposals;  ///< poolProposals(), at object level
+  Metrics gaps;       ///< poolGaps(), at object level
 };
 
 /// One row a method, level and group that has scored scenes, ALL last; a group of the name "all" has none of its own.

@@ -99,7 +99,7 @@ TEST(BestBox, ItsPointsAgainstTheObjectThatHasMostOfThem) {
   //           0   1  2   3   4   5   6   7   8   9  cm
   Row row({20, 20, 20, 21, 30, 30, 1, 0, 0, 30});
   row.result.proposals = {{cube(0.045, 0.074), 1.2}, {cube(0, 1), 1.0}};  // the first holds pixels 1 to 8
-  ProposalFigures figures = measureProposals(row.frame, row.result, row.labels, {}, 0);
+  ProposalMetrics figures = measureProposals(row.frame, row.result, row.labels, {}, 0);
   EXPECT_DOUBLE_EQ(figures.best_box_precision, 3.0 / 6) << "void does not count, the table does";
   EXPECT_DOUBLE_EQ(figures.best_box_recall, 3.0 / 4);
   figures = measureProposals(row.frame, row.result, row.labels, {}, 0.011);  // and now 0 to 9
@@ -112,7 +112,7 @@ TEST(BestBox, ItsPointsAgainstTheObjectThatHasMostOfThem) {
 
 TEST(BestBox, OfBackgroundOrNoneIsWorthNothing) {
   Row row({20, 20, 1, 1});
-  ProposalFigures figures = measureProposals(row.frame, row.result, row.labels, {}, 0);
+  ProposalMetrics figures = measureProposals(row.frame, row.result, row.labels, {}, 0);
   EXPECT_EQ(figures.proposals, 0);
   EXPECT_EQ(figures.best_box_recall, 0);
   row.result.proposals = {{cube(0.03, 0.025), 1}};
@@ -139,7 +139,7 @@ TEST(Proposals, OfTheDemoSceneHoldItsObjects) {
     }
   }
   const auto truth = fitTrueBoxes(frame.value, result.table, scene.true_labels);
-  const ProposalFigures figures =
+  const ProposalMetrics figures =
       measureProposals(frame.value, result, scene.true_labels, truth, config.filter.box_margin_m);
   EXPECT_EQ(figures.objects, 6);
   EXPECT_GE(figures.objectness.at_50.back(), 0.8);

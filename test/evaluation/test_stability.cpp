@@ -47,7 +47,7 @@ const cv::Rect kLeft(5, 5, 10, 10), kRight(30, 5, 20, 20);
 TEST(Stability, NothingMoves) {
   const StillFrame frame = frameOf({{kLeft}, {kRight, {0.3, 0, 0}}});
   const StillFrame other_order = frameOf({{kRight, {0.3, 0, 0}}, {kLeft}});
-  const Figures figures = measureStability({frame, other_order, frame});
+  const Metrics figures = measureStability({frame, other_order, frame});
   EXPECT_EQ(figure(figures, "frames"), 3);
   EXPECT_EQ(figure(figures, "count"), 2);
   EXPECT_EQ(figure(figures, "segment_IoU"), 1);
@@ -61,7 +61,7 @@ TEST(Stability, NothingMoves) {
 
 TEST(Stability, OfBoxesThatTurnShiftAndGrow) {
   // The left thing turns by 10 and back, the right one by 80 degrees, which is one by -10 with sides exchanged.
-  const Figures figures = measureStability(
+  const Metrics figures = measureStability(
       {frameOf({{kLeft}, {kRight}}), frameOf({{kLeft, {0.02, 0, 0}, 10}, {kRight, {0, 0, 0}, 80, {0.06, 0.1, 0.2}}}),
        frameOf({{kLeft}, {kRight, {0, 0, 0}, 80, {0.06, 0.1, 0.26}}})});
   EXPECT_NEAR(figure(figures, "turn_max_deg"), 10, 1e-5);
@@ -74,7 +74,7 @@ TEST(Stability, OfBoxesThatTurnShiftAndGrow) {
 
 TEST(Stability, OfSegmentsThatChange) {
   // The right one is cut to 0.6, then to a third of that, which is another thing; the left one goes.
-  const Figures figures = measureStability(
+  const Metrics figures = measureStability(
       {frameOf({{kLeft}, {kRight}}), frameOf({{kLeft}, {{30, 5, 20, 12}}}), frameOf({{{30, 5, 20, 4}}})});
   EXPECT_NEAR(figure(figures, "count"), 5. / 3, 1e-12);
   EXPECT_NEAR(figure(figures, "count_spread"), std::sqrt(2.) / 3, 1e-12);

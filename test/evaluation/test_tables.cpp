@@ -45,13 +45,13 @@ TEST(Tables, MeansMediansAndPeaksByGroup) {
 }
 
 TEST(Tables, ProposalsAreMeansOverTheScenesThatHaveThem) {
-  ProposalFigures few, many;
+  ProposalMetrics few, many;
   few.objects = 1;
   few.objectness.at_50[0] = 1;
   few.best_box_precision = 1;
   many.objects = 9;
   many.best_box_precision = 0.5;
-  const Figures pooled = poolProposals({toFigures(few), {}, toFigures(many)});
+  const Metrics pooled = poolProposals({toMetrics(few), {}, toMetrics(many)});
   EXPECT_NEAR(figure(pooled, "boxed_objects"), 10, 1e-12);
   EXPECT_NEAR(figure(pooled, "box50_1"), 0.5, 1e-12);
   EXPECT_NEAR(figure(pooled, "best_P"), 0.75, 1e-12);
@@ -59,7 +59,7 @@ TEST(Tables, ProposalsAreMeansOverTheScenesThatHaveThem) {
 }
 
 TEST(Tables, GapsAreMeansAndLargestOfTheScenesThatHaveThem) {
-  const Figures pooled = poolGaps({{{"selection_gap", 0.1}}, {}, {{"selection_gap", 0}, {"annealing_gap", 0.04}}});
+  const Metrics pooled = poolGaps({{{"selection_gap", 0.1}}, {}, {{"selection_gap", 0}, {"annealing_gap", 0.04}}});
   EXPECT_EQ(pooled.size(), 4u);
   EXPECT_NEAR(figure(pooled, "selection_gap"), 0.05, 1e-12);
   EXPECT_NEAR(figure(pooled, "selection_gap_max"), 0.1, 1e-12);

@@ -13,7 +13,7 @@ using namespace objectness;
 
 namespace {
 
-struct Figures {
+struct Metrics {
   int objects = 0, over_half = 0, over_more = 0;  ///< intersection over union over .5 and .7
   double sum = 0, visible_sum = 0;
 
@@ -34,8 +34,8 @@ double overlap(const sim::TrueObject& object, const OrientedBox& found) {
 }
 
 /// Of the objects that were segmented well.
-Figures figuresOf(const std::string& level, sim::DepthSensor sensor, bool grouping = true) {
-  Figures figures;
+Metrics figuresOf(const std::string& level, sim::DepthSensor sensor, bool grouping = true) {
+  Metrics figures;
   Config config;
   config.grouping.enabled = grouping;
   for (std::uint32_t index = 0; index < 12; ++index) {
@@ -71,13 +71,13 @@ Figures figuresOf(const std::string& level, sim::DepthSensor sensor, bool groupi
 }  // namespace
 
 TEST(WholeBoxFigures, OfStructuredLight) {
-  const Figures shapes = figuresOf("shapes", sim::DepthSensor());
+  const Metrics shapes = figuresOf("shapes", sim::DepthSensor());
   ASSERT_GT(shapes.objects, 30);
   EXPECT_GT(shapes.mean(), 0.82) << shapes.objects;
   EXPECT_GT(shapes.over_half, 0.95 * shapes.objects);
   EXPECT_GT(shapes.over_more, 0.8 * shapes.objects);
   EXPECT_GT(shapes.mean(), shapes.visibleMean() + 0.15);
-  const Figures stacked = figuresOf("stacked", sim::DepthSensor());
+  const Metrics stacked = figuresOf("stacked", sim::DepthSensor());
   ASSERT_GT(stacked.objects, 20);
   EXPECT_GT(stacked.mean(), 0.7);
 }
@@ -85,7 +85,7 @@ TEST(WholeBoxFigures, OfStructuredLight) {
 TEST(WholeBoxFigures, OfStereo) {
   sim::DepthSensor stereo;
   stereo.kind = sim::SensorKind::kStereo;
-  const Figures shapes = figuresOf("shapes", stereo);
+  const Metrics shapes = figuresOf("shapes", stereo);
   ASSERT_GT(shapes.objects, 30);
   EXPECT_GT(shapes.mean(), 0.73);
   EXPECT_GT(shapes.over_half, 0.9 * shapes.objects);

@@ -10,17 +10,17 @@
 namespace objectness::evaluation {
 
 /// Named figures, in the order of the columns of tables.
-using Figures = std::vector<std::pair<std::string, double>>;
+using Metrics = std::vector<std::pair<std::string, double>>;
 
 /// What a scene says about proposals, by column: boxed_objects, proposals, best_P and best_R (paper, Fig. 4 (c)), then
 /// for each number N of boxes kept the recall of true objects at an overlap of 0.5 and 0.7: box50_N and box70_N of the
 /// method's boxes, fixed50_N and fixed70_N of the fixed list.
-Figures toFigures(const ProposalFigures& proposals);
+Metrics toMetrics(const ProposalMetrics& proposals);
 
 /// Over scenes: boxed_objects summed up, the rest means over the scenes that have figures. Empty when none has.
-Figures poolProposals(const std::vector<Figures>& scenes);
+Metrics poolProposals(const std::vector<Metrics>& scenes);
 
 /// Over the scenes that have it, of each figure its mean and, as NAME_max, the largest.
-Figures poolGaps(const std::vector<Figures>& scenes);
+Metrics poolGaps(const std::vector<Metrics>& scenes);
 
 }  // namespace objectness::evaluation

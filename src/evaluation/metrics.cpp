@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "evaluation/figures.hpp"
+#include "evaluation/metrics.hpp"
 
 #include <algorithm>
 #include <map>
@@ -11,8 +11,8 @@ constexpr const char* kObjects = "boxed_objects";
 
 }  // namespace
 
-Figures toFigures(const ProposalFigures& proposals) {
-  Figures figures{{kObjects, proposals.objects},
+Metrics toMetrics(const ProposalMetrics& proposals) {
+  Metrics figures{{kObjects, proposals.objects},
                   {"proposals", proposals.proposals},
                   {"best_P", proposals.best_box_precision},
                   {"best_R", proposals.best_box_recall}};
@@ -28,10 +28,10 @@ Figures toFigures(const ProposalFigures& proposals) {
   return figures;
 }
 
-Figures poolProposals(const std::vector<Figures>& scenes) {
-  Figures pooled;
+Metrics poolProposals(const std::vector<Metrics>& scenes) {
+  Metrics pooled;
   double count = 0;
-  for (const Figures& scene : scenes) {
+  for (const Metrics& scene : scenes) {
     if (scene.empty()) continue;
     ++count;
     if (pooled.empty()) {
@@ -46,13 +46,13 @@ Figures poolProposals(const std::vector<Figures>& scenes) {
   return pooled;
 }
 
-Figures poolGaps(const std::vector<Figures>& scenes) {
+Metrics poolGaps(const std::vector<Metrics>& scenes) {
   struct Pool {
     double sum = 0, largest = 0;
     int count = 0;
   };
   std::map<std::string, Pool> pools;
-  for (const Figures& scene : scenes) {
+  for (const Metrics& scene : scenes) {
     for (const auto& [name, value] : scene) {
       Pool& pool = pools[name];
       pool.sum += value;
@@ -60,7 +60,7 @@ Figures poolGaps(const std::vector<Figures>& scenes) {
       ++pool.count;
     }
   }
-  Figures pooled;
+  Metrics pooled;
   for (const auto& [name, pool] : pools) {
     pooled.emplace_back(name, pool.sum / pool.count);
     pooled.emplace_back(name + "_max", pool.largest);

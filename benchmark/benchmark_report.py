@@ -19,7 +19,7 @@ from benchmark_results import Results, Value, short
 
 OWN_FRAMES = [("objectness", "none"), ("paper", "tight"), ("paper", "wide"), ("paper_top_k", "tight"),
               ("paper_top_k", "wide"), ("paper_strict", "tight"), ("paper_strict", "wide")]
-PEERS = [("mps", "none"), ("lccp", "none"), ("mps_pcl_normals", "none"), ("lccp_pcl_normals", "none"),
+BASELINES = [("mps", "none"), ("lccp", "none"), ("mps_pcl_normals", "none"), ("lccp_pcl_normals", "none"),
          ("euclidean", "none"), ("organized", "none")]
 
 
@@ -43,7 +43,7 @@ def figure_tables(results):
 
 
 def frame_table(results):
-    kinds = [k for k in OWN_FRAMES + PEERS if any(key[:3] == ("frame",) + k for key in results.measured)]
+    kinds = [k for k in OWN_FRAMES + BASELINES if any(key[:3] == ("frame",) + k for key in results.measured)]
     rows = []
     for scene in results.scenes:
         cells = [results.get("frame", *kind, scene) for kind in kinds]
@@ -54,7 +54,7 @@ def frame_table(results):
 def stage_tables(results):
     """By size of the picture, medians over scenes of the medians over runs."""
     parts = []
-    for kind in OWN_FRAMES + PEERS:
+    for kind in OWN_FRAMES + BASELINES:
         columns, stages = {}, []
         for scene in results.scenes:
             found = results.get("frame", *kind, scene)

@@ -11,7 +11,7 @@
 
 namespace objectness::evaluation {
 
-/// The figures of a method over the scenes of a camera (a data set), or of a group of its scenes.
+/// The metrics of a method over the scenes of a camera (a data set), or of a group of its scenes.
 struct CameraRow {
   std::string method, camera;
   std::string group;  ///< "": all scenes of the camera

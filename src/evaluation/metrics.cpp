@@ -12,20 +12,20 @@ constexpr const char* kObjects = "boxed_objects";
 }  // namespace
 
 Metrics toMetrics(const ProposalMetrics& proposals) {
-  Metrics figures{{kObjects, proposals.objects},
+  Metrics metrics{{kObjects, proposals.objects},
                   {"proposals", proposals.proposals},
                   {"best_P", proposals.best_box_precision},
                   {"best_R", proposals.best_box_recall}};
   const auto add = [&](const std::string& name, const auto& recalls) {
     for (std::size_t k = 0; k < kKeptBoxes.size(); ++k) {
-      figures.emplace_back(name + "_" + std::to_string(kKeptBoxes[k]), recalls[k]);
+      metrics.emplace_back(name + "_" + std::to_string(kKeptBoxes[k]), recalls[k]);
     }
   };
   add("box50", proposals.objectness.at_50);
   add("box70", proposals.objectness.at_70);
   add("fixed50", proposals.fixed.at_50);
   add("fixed70", proposals.fixed.at_70);
-  return figures;
+  return metrics;
 }
 
 Metrics poolProposals(const std::vector<Metrics>& scenes) {

@@ -9,7 +9,7 @@
 
 namespace objectness::evaluation {
 
-/// Named figures, in the order of the columns of tables.
+/// Named metrics, in the order of the columns of tables.
 using Metrics = std::vector<std::pair<std::string, double>>;
 
 /// What a scene says about proposals, by column: boxed_objects, proposals, best_P and best_R (paper, Fig. 4 (c)), then
@@ -17,7 +17,7 @@ using Metrics = std::vector<std::pair<std::string, double>>;
 /// method's boxes, fixed50_N and fixed70_N of the fixed list.
 Metrics toMetrics(const ProposalMetrics& proposals);
 
-/// Over scenes: boxed_objects summed up, the rest means over the scenes that have figures. Empty when none has.
+/// Over scenes: boxed_objects summed up, the rest means over the scenes that have metrics. Empty when none has.
 Metrics poolProposals(const std::vector<Metrics>& scenes);
 
 /// Over the scenes that have it, of each figure its mean and, as NAME_max, the largest.

@@ -16,7 +16,7 @@ bool holds(const OrientedBox& box, const Eigen::Isometry3d& T_box_camera, const 
 }
 
 void measureBestBox(const Frame& frame, const Segmentation& result, const cv::Mat_<ushort>& labels, double margin_m,
-                    ProposalMetrics& figures) {
+                    ProposalMetrics& metrics) {
   if (result.proposals.empty()) return;
   const OrientedBox& box = result.proposals.front().box;
   const Eigen::Isometry3d T_box_camera = box.T_camera_box.inverse();
@@ -35,8 +35,8 @@ void measureBestBox(const Frame& frame, const Segmentation& result, const cv::Ma
   for (const auto& [object, count] : shared) {
     if (count <= most) continue;
     most = count;
-    figures.best_box_precision = static_cast<double>(count) / inside;
-    figures.best_box_recall = static_cast<double>(count) / size[object];
+    metrics.best_box_precision = static_cast<double>(count) / inside;
+    metrics.best_box_recall = static_cast<double>(count) / size[object];
   }
 }
 
@@ -74,17 +74,17 @@ Footprint footprintOf(const Frame& frame, const Table& table, const ObjectPoints
 
 ProposalMetrics measureProposals(const Frame& frame, const Segmentation& result, const cv::Mat_<ushort>& labels,
                                  const std::vector<TrueBox>& truth, double margin_m) {
-  ProposalMetrics figures;
-  figures.objects = static_cast<int>(truth.size());
-  figures.proposals = static_cast<int>(result.proposals.size());
-  if (!result.status.ok()) return figures;
+  ProposalMetrics metrics;
+  metrics.objects = static_cast<int>(truth.size());
+  metrics.proposals = static_cast<int>(result.proposals.size());
+  if (!result.status.ok()) return metrics;
   std::vector<OrientedBox> proposed;
   for (const RankedBox& ranked : result.proposals) proposed.push_back(ranked.box);
-  figures.objectness = boxRecall(proposed, truth);
+  metrics.objectness = boxRecall(proposed, truth);
   const Footprint footprint = footprintOf(frame, result.table, result.object_points);
-  figures.fixed = boxRecall(fixedBoxes(result.table, footprint, kKeptBoxes.back()), truth);
-  measureBestBox(frame, result, labels, margin_m, figures);
-  return figures;
+  metrics.fixed = boxRecall(fixedBoxes(result.table, footprint, kKeptBoxes.back()), truth);
+  measureBestBox(frame, result, labels, margin_m, metrics);
+  return metrics;
 }
 
 }  // namespace objectness::evaluation

@@ -11,7 +11,7 @@
 
 namespace objectness::evaluation {
 
-/// The figures of a method at one level over the scenes of a group.
+/// The metrics of a method at one level over the scenes of a group.
 struct SummaryRow {
   std::string method, level;
   std::string group;  ///< "ALL": every scene

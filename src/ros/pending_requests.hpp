@@ -54,28 +54,28 @@ class PendingRequests {
     std::lock_guard<std::mutex> lock(mutex_);
     const double age_s = now_s - stamp_s;
     const bool comparable = age_s < kForeign_s && age_s > -kForeign_s;
-    RequestId ticket = 0;
+    RequestId request_id = 0;
     for (auto& [number, request] : open_) {
       if (!comparable || stamp_s >= request.time_s) {
-        ticket = number;
+        request_id = number;
       } else {
         request.old_frames = {request.old_frames.count + 1, age_s};
       }
     }
-    return ticket;
+    return request_id;
   }
 
-  /// Whether a frame with this ticket still has somebody waiting.
-  bool wants(RequestId ticket) const {
+  /// Whether a frame with this request_id still has somebody waiting.
+  bool wants(RequestId request_id) const {
     std::lock_guard<std::mutex> lock(mutex_);
-    return !open_.empty() && open_.begin()->first <= ticket;
+    return !open_.empty() && open_.begin()->first <= request_id;
   }
 
-  void answer(RequestId ticket, const Answer& answer) {
+  void answer(RequestId request_id, const Answer& answer) {
     {
       std::lock_guard<std::mutex> lock(mutex_);
       for (auto& [number, request] : open_) {
-        if (number <= ticket && !request.answer) request.answer = answer;
+        if (number <= request_id && !request.answer) request.answer = answer;
       }
     }
     wake_.notify_all();

@@ -213,12 +213,12 @@ void SegmentObjectsNodelet::process(const Job& job) {
     report(frame.result, 1e3 * elapsed.count());
     const SegmentedObjectArrayConstPtr objects =
         publishers_.publish(frame, header, settings_.target_frame, config, {elapsed.count(), worker_->dropped()},
-                            requests_.wants(job.ticket));
-    if (objects) requests_.answer(job.ticket, objects);
+                            requests_.wants(job.request_id));
+    if (objects) requests_.answer(job.request_id, objects);
   } catch (const std::exception& e) {
-    if (requests_.wants(job.ticket)) {
+    if (requests_.wants(job.request_id)) {
       const SegmentedFrame failure = failedFrame(Status::error(StatusCode::kInternalError, e.what()));
-      requests_.answer(job.ticket, boost::make_shared<SegmentedObjectArray>(toObjectsMessage(failure, header)));
+      requests_.answer(job.request_id, boost::make_shared<SegmentedObjectArray>(toObjectsMessage(failure, header)));
     }
     throw;
   }

@@ -37,7 +37,7 @@ class SegmentObjectsNodelet : public nodelet::Nodelet {
 
   struct Job {
     InputMessages messages;
-    SegmentService::RequestId ticket = 0;  ///< requests that it answers
+    SegmentService::RequestId request_id = 0;  ///< requests that it answers
   };
 
   void onInit() override;

@@ -61,12 +61,12 @@ double median(std::vector<float>& values) {
 }
 
 /// Height of the highest point of each thing.
-std::vector<float> rims(const TableClusters& things, const HeightMap& map) {
-  std::vector<float> rim_m(things.count + 1, 0);
-  for (int v = 0; v < things.label.rows; ++v) {
-    const int* thing = things.label[v];
+std::vector<float> rims(const TableClusters& clusters, const HeightMap& map) {
+  std::vector<float> rim_m(clusters.count + 1, 0);
+  for (int v = 0; v < clusters.label.rows; ++v) {
+    const int* thing = clusters.label[v];
     const float* height = map.height_m[v];
-    for (int u = 0; u < things.label.cols; ++u) {
+    for (int u = 0; u < clusters.label.cols; ++u) {
       if (thing[u] > 0) rim_m[thing[u]] = std::max(rim_m[thing[u]], height[u]);
     }
   }
@@ -84,10 +84,10 @@ struct Regions {
 };
 
 /// Regions that are not open have the things they touch.
-Regions findRegions(const TableClusters& things, const HeightMap& map) {
-  const int width = things.label.cols, height = things.label.rows;
+Regions findRegions(const TableClusters& clusters, const HeightMap& map) {
+  const int width = clusters.label.cols, height = clusters.label.rows;
   Regions found;
-  found.parts = findComponents(things.label == 0, Neighbours::kFour);
+  found.parts = findComponents(clusters.label == 0, Neighbours::kFour);
   std::vector<int> pixels(found.parts.count, 0);
   found.regions.resize(found.parts.count);
   for (const Run& run : found.parts.runs) {
@@ -105,13 +105,13 @@ Regions findRegions(const TableClusters& things, const HeightMap& map) {
     Region& region = found.regions[run.part];
     if (region.open) continue;
     const auto touch = [&](int v, int u) {
-      if (things.label(v, u) > 0) region.touched.insert(things.label(v, u));
+      if (clusters.label(v, u) > 0) region.touched.insert(clusters.label(v, u));
     };
     touch(run.row, run.first - 1);
     touch(run.row, run.last);
     for (int u = run.first; u < run.last; ++u) touch(run.row - 1, u), touch(run.row + 1, u);
   }
-  const std::vector<float> rim_m = rims(things, map);
+  const std::vector<float> rim_m = rims(clusters, map);
   for (Region& region : found.regions) {
     if (!region.open) region.chooseThings(rim_m);
   }
@@ -119,19 +119,19 @@ Regions findRegions(const TableClusters& things, const HeightMap& map) {
 }
 
 /// Convex hulls of the things around closed regions, seen from above, in cells of the table's extent.
-std::vector<std::vector<cv::Point>> footprints(const Frame& frame, const Table& table, const TableClusters& things,
+std::vector<std::vector<cv::Point>> footprints(const Frame& frame, const Table& table, const TableClusters& clusters,
                                                const std::vector<Region>& regions) {
-  std::vector<char> wanted(things.count + 1, false);
+  std::vector<char> wanted(clusters.count + 1, false);
   for (const Region& region : regions) {
     if (!region.open) wanted[region.things[0]] = wanted[region.things[1]] = true;
   }
   wanted[0] = false;
   const Eigen::Matrix<float, 2, 3> axes = table.T_table_camera.linear().topRows<2>().cast<float>();
-  std::vector<std::vector<cv::Point>> cells(things.count + 1), hulls(things.count + 1);
-  for (int v = 0; v < things.label.rows; ++v) {
-    const int* label = things.label[v];
-    const Eigen::Vector3f* point = frame.points.data() + std::size_t(v) * things.label.cols;
-    for (int u = 0; u < things.label.cols; ++u) {
+  std::vector<std::vector<cv::Point>> cells(clusters.count + 1), hulls(clusters.count + 1);
+  for (int v = 0; v < clusters.label.rows; ++v) {
+    const int* label = clusters.label[v];
+    const Eigen::Vector3f* point = frame.points.data() + std::size_t(v) * clusters.label.cols;
+    for (int u = 0; u < clusters.label.cols; ++u) {
       if (!wanted[label[u]]) continue;
       std::vector<cv::Point>& of_thing = cells[label[u]];
       const cv::Point cell = cellOf(axes * point[u], table.extent);
@@ -145,7 +145,7 @@ std::vector<std::vector<cv::Point>> footprints(const Frame& frame, const Table& 
 }
 
 /// Median height of the table next to a region; NaN when it is not seen.
-double tableAround(const cv::Rect& region, int reach_px, const HeightMap& map, const TableClusters& things) {
+double tableAround(const cv::Rect& region, int reach_px, const HeightMap& map, const TableClusters& clusters) {
   const cv::Rect image(0, 0, map.height_m.cols, map.height_m.rows);
   const cv::Rect box =
       cv::Rect(region.x - reach_px, region.y - reach_px, region.width + 2 * reach_px, region.height + 2 * reach_px) &
@@ -154,7 +154,7 @@ double tableAround(const cv::Rect& region, int reach_px, const HeightMap& map, c
   for (int v = box.y; v < box.br().y; ++v) {
     for (int u = box.x; u < box.br().x; ++u) {
       const float h = map.height_m(v, u);
-      if (things.label(v, u) > 0 || region.contains({u, v}) || !(std::abs(h) <= map.threshold_m(v, u))) continue;
+      if (clusters.label(v, u) > 0 || region.contains({u, v}) || !(std::abs(h) <= map.threshold_m(v, u))) continue;
       heights.push_back(h);
     }
   }
@@ -163,12 +163,12 @@ double tableAround(const cv::Rect& region, int reach_px, const HeightMap& map, c
 
 }  // namespace
 
-void addHollowFloors(const Frame& frame, const Table& table, const HeightMap& map, const TableClusters& things,
+void addHollowFloors(const Frame& frame, const Table& table, const HeightMap& map, const TableClusters& clusters,
                      cv::Mat_<uchar>& mask) {
-  const Regions found = findRegions(things, map);
+  const Regions found = findRegions(clusters, map);
   const std::vector<Region>& regions = found.regions;
   if (found.allOpen()) return;
-  const std::vector<std::vector<cv::Point>> hulls = footprints(frame, table, things, regions);
+  const std::vector<std::vector<cv::Point>> hulls = footprints(frame, table, clusters, regions);
   const Eigen::Matrix<float, 2, 3> axes = table.T_table_camera.linear().topRows<2>().cast<float>();
 
   std::vector<std::vector<Run>> runs(regions.size());
@@ -204,7 +204,7 @@ void addHollowFloors(const Frame& frame, const Table& table, const HeightMap& ma
     }
     if (floor.size() < static_cast<std::size_t>(kMinFloorPixels)) continue;
     const int reach_px = static_cast<int>(std::ceil(kAroundM * frame.camera.focal() * floor.size() / depth));
-    if (median(heights) < tableAround(region.box, reach_px, map, things) + kFloorThicknessM) continue;
+    if (median(heights) < tableAround(region.box, reach_px, map, clusters) + kFloorThicknessM) continue;
     for (const cv::Point& pixel : floor) mask(pixel) = 255;
   }
 }

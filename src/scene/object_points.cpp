@@ -42,8 +42,8 @@ ObjectPoints findObjectPoints(const Frame& frame, const Normals& normals, const 
       frame, normals, table,
       config.containers ? findContainers(frame, normals, table, map, mask) : std::vector<Container>{}, map, mask);
   removeWalls(frame, normals, table, map, config, mask, threads);
-  const TableClusters things = findTableClusters(frame, table, map, config, mask, threads);
-  mask = things.label > 0;
+  const TableClusters clusters = findTableClusters(frame, table, map, config, mask, threads);
+  mask = clusters.label > 0;
   cv::Mat_<uchar> with_floors = mask.clone(), surface(mask.size());
   const Eigen::Vector3f up = table.normal.cast<float>();
   // One thread looks for floors; whoever has time meanwhile marks the table, band by band.
@@ -51,7 +51,7 @@ ObjectPoints findObjectPoints(const Frame& frame, const Normals& normals, const 
     if (i > 0) {
       markTableSurface(normals, up, map, mask, mask.rows * (i - 1) / kBands, mask.rows * i / kBands, surface);
     } else if (config.hollow_floors) {
-      addHollowFloors(frame, table, map, things, with_floors);
+      addHollowFloors(frame, table, map, clusters, with_floors);
     }
   });
   surface |= containers.floor;

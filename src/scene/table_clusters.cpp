@@ -20,12 +20,12 @@ constexpr int kRowsPerBand = 60;
 constexpr int kManyParts = 10000;      // above this, sums per band cost more memory than they save time
 constexpr double kWhollyInside = 0.9;  // a share of the points; the rest is noise at the outline
 
-struct Thing {
+struct Cluster {
   int pixels = 0, inside = 0, too_high = 0, far_too_high = 0;
   bool at_border = false;
   double area_m2 = 0;
 
-  void add(const Thing& part) {
+  void add(const Cluster& part) {
     pixels += part.pixels, inside += part.inside, too_high += part.too_high, far_too_high += part.far_too_high;
     at_border = at_border || part.at_border;
     area_m2 += part.area_m2;
@@ -33,9 +33,9 @@ struct Thing {
 };
 
 /// A tall stack: no arm or wall that comes from beside the table or from out of the picture.
-bool isTallStack(const Thing& thing) {
-  return !thing.at_border && thing.inside >= kWhollyInside * thing.pixels &&
-         thing.far_too_high <= kMaxShareOverCeiling * thing.pixels;
+bool isTallStack(const Cluster& cluster) {
+  return !cluster.at_border && cluster.inside >= kWhollyInside * cluster.pixels &&
+         cluster.far_too_high <= kMaxShareOverCeiling * cluster.pixels;
 }
 
 }  // namespace
@@ -48,24 +48,24 @@ TableClusters findTableClusters(const Frame& frame, const Table& table, const He
   cv::Mat_<int> label = connectPoints(frame.points, mask, gap, parts, threads);
   int* labels = label.ptr<int>();
 
-  const auto measure = [&](int first, int last, std::vector<Thing>& things) {
+  const auto measure = [&](int first, int last, std::vector<Cluster>& clusters) {
     for (int v = first, i = first * mask.cols; v < last; ++v) {
       for (int u = 0; u < mask.cols; ++u, ++i) {
         if (labels[i] == 0) continue;
-        Thing& thing = things[labels[i]];
+        Cluster& cluster = clusters[labels[i]];
         const double z = frame.points[i].z();
-        ++thing.pixels;
-        thing.at_border = thing.at_border || u == 0 || v == 0 || u + 1 == mask.cols || v + 1 == mask.rows;
-        thing.inside += map.inside(v, u) != 0;
-        thing.too_high += map.height_m(v, u) > config.max_height_m;
-        thing.far_too_high += map.height_m(v, u) > kTallestStack * config.max_height_m;
-        thing.area_m2 += z * z / (focal * focal);
+        ++cluster.pixels;
+        cluster.at_border = cluster.at_border || u == 0 || v == 0 || u + 1 == mask.cols || v + 1 == mask.rows;
+        cluster.inside += map.inside(v, u) != 0;
+        cluster.too_high += map.height_m(v, u) > config.max_height_m;
+        cluster.far_too_high += map.height_m(v, u) > kTallestStack * config.max_height_m;
+        cluster.area_m2 += z * z / (focal * focal);
       }
     }
   };
   // Fixed bands: a float sum must not depend on the number of threads.
   const int rows_per_band = parts > kManyParts ? mask.rows : kRowsPerBand;
-  std::vector<std::vector<Thing>> in_band((mask.rows + rows_per_band - 1) / rows_per_band);
+  std::vector<std::vector<Cluster>> in_band((mask.rows + rows_per_band - 1) / rows_per_band);
   forRowBands(
       mask.rows, threads,
       [&](int first, int last) {
@@ -73,17 +73,17 @@ TableClusters findTableClusters(const Frame& frame, const Table& table, const He
         measure(first, last, in_band[first / rows_per_band]);
       },
       rows_per_band);
-  std::vector<Thing> things(parts + 1);
-  for (const std::vector<Thing>& band : in_band) {
-    for (std::size_t k = 1; k < things.size(); ++k) things[k].add(band[k]);
+  std::vector<Cluster> clusters(parts + 1);
+  for (const std::vector<Cluster>& band : in_band) {
+    for (std::size_t k = 1; k < clusters.size(); ++k) clusters[k].add(band[k]);
   }
   TableClusters result{label, 0};
-  std::vector<int> final_label(things.size(), 0);
-  for (std::size_t k = 1; k < things.size(); ++k) {
-    const Thing& thing = things[k];
-    const bool stands = (thing.area_m2 >= config.min_area_m2 || thing.pixels >= kMinPixels) &&
-                        thing.inside >= config.min_inside_share * thing.pixels &&
-                        (thing.too_high <= kMaxShareOverCeiling * thing.pixels || isTallStack(thing));
+  std::vector<int> final_label(clusters.size(), 0);
+  for (std::size_t k = 1; k < clusters.size(); ++k) {
+    const Cluster& cluster = clusters[k];
+    const bool stands = (cluster.area_m2 >= config.min_area_m2 || cluster.pixels >= kMinPixels) &&
+                        cluster.inside >= config.min_inside_share * cluster.pixels &&
+                        (cluster.too_high <= kMaxShareOverCeiling * cluster.pixels || isTallStack(cluster));
     if (stands) final_label[k] = ++result.count;
   }
   forRowBands(mask.rows, threads, [&](int first, int last) {

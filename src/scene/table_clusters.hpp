@@ -5,20 +5,20 @@
 
 namespace objectness {
 
-/// Parts of a mask that are connected in space.
+/// Euclidean clusters of a mask: its parts that are connected in space.
 struct TableClusters {
   cv::Mat_<int> label;  ///< H x W, 0 = none, 1..count
   int count = 0;
 };
 
 /// Connects neighbouring mask pixels (8) whose points are close, over the border of the table's extent as well, and
-/// keeps the things that stand on the table: enough of it, mostly over the extent, not reaching over the ceiling.
+/// keeps the clusters that stand on the table: enough of it, mostly over the extent, not reaching over the ceiling.
 TableClusters findTableClusters(const Frame& frame, const Table& table, const HeightMap& map,
                                 const ObjectPointsConfig& config, const cv::Mat_<uchar>& mask, int threads = 1);
 
 /// Adds the floors of hollow things to the mask: pixels at table height that one thing encloses, in the image and on
 /// the table, and that lie a little higher than the table around the thing.
-void addHollowFloors(const Frame& frame, const Table& table, const HeightMap& map, const TableClusters& things,
+void addHollowFloors(const Frame& frame, const Table& table, const HeightMap& map, const TableClusters& clusters,
                      cv::Mat_<uchar>& mask);
 
 }  // namespace objectness

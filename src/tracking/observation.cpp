@@ -85,20 +85,20 @@ double SurfaceCells::shareSeenThrough(const PosedDepthImage& view) const {
 
 Observation makeObservation(const Frame& frame, const Segment& segment, const Eigen::Isometry3d& T_fixed_camera,
                             int number) {
-  Observation sighting;
-  sighting.centre = T_fixed_camera * segment.box.T_camera_box.translation();
-  sighting.sorted_size_m = segment.box.size_m;
-  std::sort(sighting.sorted_size_m.data(), sighting.sorted_size_m.data() + 3);
-  sighting.radius_m = 0.5 * segment.box.size_m.norm();
+  Observation observation;
+  observation.centre = T_fixed_camera * segment.box.T_camera_box.translation();
+  observation.sorted_size_m = segment.box.size_m;
+  std::sort(observation.sorted_size_m.data(), observation.sorted_size_m.data() + 3);
+  observation.radius_m = 0.5 * segment.box.size_m.norm();
   const std::size_t step = 1 + segment.pixels.size() / kMaxPoints;
   for (std::size_t i = 0; i < segment.pixels.size(); i += step) {
-    sighting.surface.add(T_fixed_camera * frame.points[segment.pixels[i]].cast<double>(), number);
+    observation.surface.add(T_fixed_camera * frame.points[segment.pixels[i]].cast<double>(), number);
   }
-  return sighting;
+  return observation;
 }
 
-bool isElsewhere(const Observation& sighting, const PosedDepthImage& view) {
-  return sighting.surface.shareSeenThrough(view) > kElsewhereShare;
+bool isElsewhere(const Observation& observation, const PosedDepthImage& view) {
+  return observation.surface.shareSeenThrough(view) > kElsewhereShare;
 }
 
 Agreement agree(const Observation& before, const Observation& now, bool in_place, const TrackingConfig& config) {

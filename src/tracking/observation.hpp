@@ -59,6 +59,6 @@ struct Agreement {
 Agreement agree(const Observation& before, const Observation& now, bool in_place, const TrackingConfig& config);
 
 /// Whether the view shows that the thing is not where it was seen in another frame.
-bool isElsewhere(const Observation& sighting, const PosedDepthImage& view);
+bool isElsewhere(const Observation& observation, const PosedDepthImage& view);
 
 }  // namespace objectness

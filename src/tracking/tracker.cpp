@@ -52,18 +52,20 @@ std::vector<Identity> Tracker::update(const Frame& frame, const std::vector<Segm
   last_time_s_ = time_s;
   ++frames_;
 
-  std::vector<Observation> sightings;
-  for (const Segment& segment : segments) sightings.push_back(makeObservation(frame, segment, T_fixed_camera, frames_));
+  std::vector<Observation> observations;
+  for (const Segment& segment : segments)
+    observations.push_back(makeObservation(frame, segment, T_fixed_camera, frames_));
   auto view = std::make_unique<PosedDepthImage>(frame, T_fixed_camera);
   std::vector<bool> arrived;
-  for (const Observation& sighting : sightings) arrived.push_back(last_view_ && isElsewhere(sighting, *last_view_));
-  Eigen::MatrixXd gains(tracks_.size(), sightings.size());
-  std::vector<Agreement> agreements(tracks_.size() * sightings.size());
+  for (const Observation& observation : observations)
+    arrived.push_back(last_view_ && isElsewhere(observation, *last_view_));
+  Eigen::MatrixXd gains(tracks_.size(), observations.size());
+  std::vector<Agreement> agreements(tracks_.size() * observations.size());
   for (std::size_t t = 0; t < tracks_.size(); ++t) {
     const bool left = isElsewhere(tracks_[t]->last, *view);
-    for (std::size_t s = 0; s < sightings.size(); ++s) {
-      const Agreement agreement = agree(tracks_[t]->last, sightings[s], !left && !arrived[s], config);
-      agreements[t * sightings.size() + s] = agreement;
+    for (std::size_t s = 0; s < observations.size(); ++s) {
+      const Agreement agreement = agree(tracks_[t]->last, observations[s], !left && !arrived[s], config);
+      agreements[t * observations.size() + s] = agreement;
       gains(static_cast<Eigen::Index>(t), static_cast<Eigen::Index>(s)) = agreement.gain;
     }
   }
@@ -71,7 +73,7 @@ std::vector<Identity> Tracker::update(const Frame& frame, const std::vector<Segm
   std::vector<Track*> owner(segments.size(), nullptr);
   for (const auto& track : tracks_) ++track->missed;
   for (const auto& [t, s] : assignMaximum(gains)) {
-    const Agreement& agreement = agreements[t * sightings.size() + s];
+    const Agreement& agreement = agreements[t * observations.size() + s];
     if (agreement.gain <= 0) continue;
     Track& track = *tracks_[t];
     owner[s] = &track;
@@ -81,7 +83,7 @@ std::vector<Identity> Tracker::update(const Frame& frame, const std::vector<Segm
     ++identity.age_frames;
     identity.age_s = time_s - track.first_time_s;
     identity.confidence = kConfidenceKept * identity.confidence + (1 - kConfidenceKept) * agreement.quality;
-    Observation& now = sightings[s];
+    Observation& now = observations[s];
     if (!agreement.moved) {
       SurfaceCells surface = std::move(track.last.surface);
       surface.merge(now.surface, frames_ - kSurfaceMemoryFrames);
@@ -103,7 +105,7 @@ std::vector<Identity> Tracker::update(const Frame& frame, const std::vector<Segm
     if (!owner[s]) {
       auto track = std::make_unique<Track>();
       track->identity = {freeLabel(), ++last_id_, 1, 0, kFirstConfidence};
-      track->last = std::move(sightings[s]);
+      track->last = std::move(observations[s]);
       track->first_time_s = track->last_time_s = time_s;
       tracks_.push_back(std::move(track));
       owner[s] = tracks_.back().get();

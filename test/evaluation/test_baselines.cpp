@@ -16,9 +16,9 @@ using namespace objectness_test;
 
 namespace {
 
-constexpr Baseline kPeers[] = {Baseline::kMps, Baseline::kLccp, Baseline::kCpc};  // after the package's front end
-constexpr Baseline kAllPeers[] = {Baseline::kMps, Baseline::kLccp, Baseline::kCpc, Baseline::kEuclidean,
-                                  Baseline::kOrganized};
+constexpr Baseline kBaselines[] = {Baseline::kMps, Baseline::kLccp, Baseline::kCpc};  // after the package's front end
+constexpr Baseline kAllBaselines[] = {Baseline::kMps, Baseline::kLccp, Baseline::kCpc, Baseline::kEuclidean,
+                                      Baseline::kOrganized};
 
 evaluation::Scores scoresOf(const Segmentation& result, const cv::Mat_<ushort>& annotation) {
   const auto truth = evaluation::truthAtLevel(annotation, evaluation::Level::kObject);
@@ -27,11 +27,11 @@ evaluation::Scores scoresOf(const Segmentation& result, const cv::Mat_<ushort>& 
 
 }  // namespace
 
-TEST(Peers, SegmentTheDemoScene) {
+TEST(Baselines, SegmentTheDemoScene) {
   const SceneImages scene = demoImages(1);
   const auto frame = makeFrame(scene.depth_mm, scene.color, scene.camera, InputConfig());
   ASSERT_TRUE(frame.ok());
-  for (const Baseline baseline : kPeers) {
+  for (const Baseline baseline : kBaselines) {
     const Segmentation result = segmentWithBaseline(baseline, frame.value, Config());
     ASSERT_TRUE(result.status.ok()) << toString(baseline) << ": " << result.status.message;
     const evaluation::Scores scores = scoresOf(result, scene.true_labels);
@@ -42,10 +42,10 @@ TEST(Peers, SegmentTheDemoScene) {
   }
 }
 
-TEST(Peers, SegmentsAreOfObjectPointsOnlyAndLargestFirst) {
+TEST(Baselines, SegmentsAreOfObjectPointsOnlyAndLargestFirst) {
   Scene scene = tableWith({box({-0.25, -0.05, 0}, {-0.11, 0.07, 0.2}), box({0.02, -0.1, 0}, {0.1, -0.02, 0.08})});
   const Frame frame = scene.render();
-  for (const Baseline baseline : kPeers) {
+  for (const Baseline baseline : kBaselines) {
     const Segmentation result = segmentWithBaseline(baseline, frame, Config());
     ASSERT_EQ(result.segments.size(), 2u) << toString(baseline);
     EXPECT_GE(result.segments[0].pixels.size(), result.segments[1].pixels.size());
@@ -97,23 +97,23 @@ TEST(Cpc, CutsAnAngleThatLccpLeavesWhole) {
   EXPECT_GE(segmentWithBaseline(Baseline::kCpc, frame, Config(), settings).segments.size(), 2u);
 }
 
-TEST(Peers, AnEmptyTableIsAValidResult) {
+TEST(Baselines, AnEmptyTableIsAValidResult) {
   Scene scene = tableWith({});
   const Frame frame = scene.render();
-  for (const Baseline baseline : kPeers) {
+  for (const Baseline baseline : kBaselines) {
     const Segmentation result = segmentWithBaseline(baseline, frame, Config());
     EXPECT_TRUE(result.status.ok()) << toString(baseline) << ": " << result.status.message;
     EXPECT_TRUE(result.segments.empty());
   }
 }
 
-TEST(Peers, NoTableIsSaid) {
+TEST(Baselines, NoTableIsSaid) {
   Scene scene = tableWith({});
   scene.surfaces = {sphere({0, 0, 0.3}, 0.2)};
   Frame empty;
   empty.camera = kinect();
   empty.points.assign(empty.size(), Eigen::Vector3f::Constant(std::nanf("")));
-  for (const Baseline baseline : kPeers) {
+  for (const Baseline baseline : kBaselines) {
     const Segmentation result = segmentWithBaseline(baseline, scene.render(), Config());
     EXPECT_EQ(result.status.code, StatusCode::kNoTable);
     EXPECT_FALSE(result.status.message.empty());
@@ -122,12 +122,12 @@ TEST(Peers, NoTableIsSaid) {
   }
 }
 
-TEST(Peers, BadSettingsAreNamed) {
+TEST(Baselines, BadSettingsAreNamed) {
   Scene scene = tableWith({});
   const Frame frame = scene.render();
   BaselinesConfig settings;
   settings.mps.cluster_distance_m = settings.lccp.voxel_m = settings.cpc.lccp.voxel_m = std::nan("");
-  for (const Baseline baseline : kPeers) {
+  for (const Baseline baseline : kBaselines) {
     const Segmentation result = segmentWithBaseline(baseline, frame, Config(), settings);
     EXPECT_EQ(result.status.code, StatusCode::kBadConfig);
     const std::string name =
@@ -139,12 +139,12 @@ TEST(Peers, BadSettingsAreNamed) {
   EXPECT_EQ(segmentWithBaseline(Baseline::kLccp, frame, Config(), settings).status.code, StatusCode::kBadConfig);
 }
 
-TEST(Peers, TheSameEveryTimeAndSilent) {
+TEST(Baselines, TheSameEveryTimeAndSilent) {
   const SceneImages scene = demoImages(2);
   const auto frame = makeFrame(scene.depth_mm, cv::Mat(), scene.camera, InputConfig());
   BaselinesConfig settings;
   settings.cpc.min_borders_for_cutting = 20;  // so that there are cuts, which are found by chance
-  for (const Baseline baseline : kAllPeers) {
+  for (const Baseline baseline : kAllBaselines) {
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
     const Segmentation first = segmentWithBaseline(baseline, frame.value, Config(), settings);
@@ -156,7 +156,7 @@ TEST(Peers, TheSameEveryTimeAndSilent) {
   }
 }
 
-TEST(Peers, SettingsAreNamedInOneLine) {
+TEST(Baselines, SettingsAreNamedInOneLine) {
   EXPECT_NE(settingsText(Baseline::kMps, {}).find("cluster_distance_m 0.008"), std::string::npos);
   EXPECT_NE(settingsText(Baseline::kLccp, {}).find("smoothness_check on"), std::string::npos);
   const std::string cpc = settingsText(Baseline::kCpc, {});
@@ -165,7 +165,7 @@ TEST(Peers, SettingsAreNamedInOneLine) {
   EXPECT_EQ(cpc.find('\n'), std::string::npos);
 }
 
-TEST(Peers, FiguresOfRecordedScenes) {
+TEST(Baselines, FiguresOfRecordedScenes) {
   const std::string data = sharedData();
   if (data.empty()) GTEST_SKIP() << "no shared data: set OBJECTNESS_DATA";
   std::map<Baseline, std::pair<double, double>> mean;
@@ -175,7 +175,7 @@ TEST(Peers, FiguresOfRecordedScenes) {
     const auto frame = loadSceneFolder(folder, std::nullopt, InputConfig());
     ASSERT_TRUE(frame.ok()) << frame.status.message;
     const cv::Mat_<ushort> truth = cv::imread(folder + "/labels.png", cv::IMREAD_UNCHANGED);
-    for (const Baseline baseline : kPeers) {
+    for (const Baseline baseline : kBaselines) {
       const evaluation::Scores scores = scoresOf(segmentWithBaseline(baseline, frame.value, Config()), truth);
       mean[baseline].first += scores.precision / scenes.size();
       mean[baseline].second += scores.recall / scenes.size();

@@ -66,16 +66,16 @@ TEST(PendingRequests, AFrameAnswersAllRequestsBeforeIt) {
 
 TEST(PendingRequests, ARequestThatIsGoneIsNotWanted) {
   Requests requests;
-  Requests::RequestId ticket = 0;
+  Requests::RequestId request_id = 0;
   {
     Requests::Request request(requests, 1);
-    ticket = requests.newestAnsweredBy(2, 2);
+    request_id = requests.newestAnsweredBy(2, 2);
   }
   EXPECT_FALSE(requests.pending());
-  EXPECT_FALSE(requests.wants(ticket));
-  requests.answer(ticket, 1);
+  EXPECT_FALSE(requests.wants(request_id));
+  requests.answer(request_id, 1);
   Requests::Request later(requests, 3);
-  EXPECT_FALSE(requests.wants(ticket));
+  EXPECT_FALSE(requests.wants(request_id));
 }
 
 TEST(PendingRequests, StopEndsTheWaiting) {

@@ -27,7 +27,7 @@ enum class StatusCode {
 const char* toString(StatusCode code);
 
 /// A code and a sentence a user can act on ("cloud is 307200 x 1, not organized: ...").
-struct Status {
+struct [[nodiscard]] Status {
   StatusCode code = StatusCode::kOk;
   std::string message;
 
@@ -37,7 +37,7 @@ struct Status {
 
 /// A value, or the reason there is none. `value` is meaningful only when ok().
 template <class T>
-struct Result {
+struct [[nodiscard]] Result {
   Status status;
   T value{};
 

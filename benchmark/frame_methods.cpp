@@ -39,7 +39,7 @@ FrameMethod baselineMethod(Baseline baseline, bool pcl_normals) {
 
 std::vector<VolumeOfInterest> volumesOfInterest() {
   Config tight = withThreads(), wide = withThreads();
-  tight.grouping.enabled = false;
+  tight.pipeline.method = SegmentationMethod::kPaper;
   require(loadConfig(REPOSITORY_DIR "/cfg/wide_volume.yaml", wide));
   return {{"tight", tight}, {"wide", wide}};
 }

@@ -68,7 +68,8 @@ void searchBoxes(const Frame& frame, const Config& config, const Stages& stage, 
   // Sec. 4: a segment is what falls within a selected box.
   result.segments = stage("segments", [&] {
     return cutSegments(frame, result.table.T_table_camera, points, chosenBoxes(candidates, selection, search),
-                       config.filter.box_margin_m, config.segments, config.runtime.threads);
+                       config.filter.box_margin_m, config.pipeline.method == SegmentationMethod::kPaper,
+                       config.segments, config.runtime.threads);
   });
 }
 

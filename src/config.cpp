@@ -24,6 +24,10 @@ void checkRanges(const Config& config, Problems& problems) {
   for (const ConfigField& field : configFields(copy)) {
     const double value = std::visit([](const auto* v) { return static_cast<double>(*v); }, field.value);
     if (value >= field.range.min && value <= field.range.max) continue;  // false for NaN
+    if (std::holds_alternative<SegmentationMethod*>(field.value)) {
+      problems.push_back(field.fullName() + " is no method, must be objectness, paper or boxes");
+      continue;
+    }
     problems.push_back(
         sentence(field.fullName(), " is ", value, ", must be within ", field.range.min, " and ", field.range.max));
   }

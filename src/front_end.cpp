@@ -27,8 +27,9 @@ void observeTable(const Frame& frame, const Config& config, const Stages& stage,
 void observeScene(const Frame& frame, const Config& config, const Stages& stage, SceneObservation& scene) {
   observeTable(frame, config, stage, scene);
   if (!scene.status.ok()) return;
-  const SuperpixelsConfig superpixels =
-      config.grouping.enabled ? config.superpixels : superpixelsForBoxes(config.superpixels);
+  const SuperpixelsConfig superpixels = config.pipeline.method == SegmentationMethod::kObjectness
+                                            ? config.superpixels
+                                            : superpixelsForBoxes(config.superpixels);
   SurfaceCues cues = stage("surface_cues", [&] {
     return findSurfaceCues(frame, scene.normals, scene.table, scene.object_points, config.edges, superpixels,
                            config.runtime.threads);

@@ -14,7 +14,7 @@ namespace objectness {
 void observeTable(const Frame& frame, const Config& config, const Stages& stage, SceneObservation& scene);
 
 /// The same, then edges and superpixels (paper Sec. 3.1 to 3.3), which are this package's own. Superpixels are those of
-/// the method that config.grouping.enabled chooses.
+/// config.pipeline.method.
 void observeScene(const Frame& frame, const Config& config, const Stages& stage, SceneObservation& scene);
 
 }  // namespace objectness

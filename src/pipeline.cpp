@@ -27,7 +27,7 @@ void run(const Frame& frame, const Config& config, const LearnedObjectness* mode
     remarkOnScale(frame, result);
     return;
   }
-  if (config.grouping.enabled) {
+  if (config.pipeline.method == SegmentationMethod::kObjectness) {
     groupPieces(frame, config, model, memory, stage, result);
   } else {
     searchBoxes(frame, config, stage, result);

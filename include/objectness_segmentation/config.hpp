@@ -8,6 +8,7 @@
 #include "objectness_segmentation/cues/superpixels.hpp"
 #include "objectness_segmentation/grouping/grouping_config.hpp"
 #include "objectness_segmentation/integral/volume_config.hpp"
+#include "objectness_segmentation/method.hpp"
 #include "objectness_segmentation/objectness/objectness_config.hpp"
 #include "objectness_segmentation/scene/frame.hpp"
 #include "objectness_segmentation/scene/normals.hpp"
@@ -37,6 +38,7 @@ struct RuntimeConfig {
 /// Everything that can be set, a struct per stage in the order of the pipeline. A field's full name is "group.field",
 /// as in the YAML presets ("objectness.weight_edges").
 struct Config {
+  PipelineConfig pipeline;
   InputConfig input;
   ResolutionConfig resolution;
   NormalsConfig normals;
@@ -60,6 +62,7 @@ struct Config {
 
   template <class Self, class Visit>
   static void groups(Self& self, Visit&& visit) {
+    visit("pipeline", self.pipeline);
     visit("input", self.input);
     visit("resolution", self.resolution);
     visit("normals", self.normals);

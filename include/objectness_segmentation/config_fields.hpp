@@ -13,7 +13,7 @@ namespace objectness {
 struct ConfigField {
   std::string group;  ///< "search"
   std::string name;   ///< "angle_step_deg"
-  std::variant<double*, int*, bool*> value;
+  std::variant<double*, int*, bool*, SegmentationMethod*> value;
   Range range{0, 1};
   const char* description = "";
 
@@ -32,6 +32,9 @@ struct FieldCollector {
   }
   void operator()(const char* name, bool& value, const char* description) const {
     fields.push_back({group, name, &value, Range{0, 1}, description});
+  }
+  void operator()(const char* name, SegmentationMethod& value, const char* description) const {
+    fields.push_back({group, name, &value, Range{0, kMethodNames.size() - 1.0}, description});
   }
 };
 

@@ -11,7 +11,7 @@
 namespace objectness {
 
 /// All of it in one call: table, object points, edges and superpixels; then groups of superpixels, judged by the model
-/// that comes with the package, and the choice among them, or with config.grouping.enabled off the paper's search of
+/// that comes with the package, and the choice among them, or with another config.pipeline.method the paper's search of
 /// boxes, their filtering and selection.
 ///
 /// The same frame and config give the same result for any number of threads (timings apart). Never throws for bad data:

@@ -88,11 +88,10 @@ Method clusteringMethod(const Config& config, const std::optional<LearnedObjectn
 }
 
 std::vector<Method> allMethods(Config config, const std::optional<LearnedObjectness>& model) {
-  config.grouping.enabled = true;
-  Config paper = config;
-  paper.grouping.enabled = false;
-  Config plain_boxes = paper;
-  plain_boxes.segments.follow_superpixels = false;
+  config.pipeline.method = SegmentationMethod::kObjectness;
+  Config paper = config, plain_boxes = config;
+  paper.pipeline.method = SegmentationMethod::kPaper;
+  plain_boxes.pipeline.method = SegmentationMethod::kBoxes;
   return {
       learnedMethod("objectness", "The package's default.", config, model),
       ownMethod("paper", "The paper's system; whole superpixels follow the box that holds most of them.", paper),

@@ -35,8 +35,8 @@ std::vector<std::string> methodNames();
 /// Those of them that are ways to segment: without `oracle` and `clustering`, which tell what others are worth.
 std::vector<std::string> usualMethodNames();
 
-/// Methods by name. Each runs with `config` but for what makes it that method (grouping.enabled,
-/// segments.follow_superpixels); `objectness`, `oracle` and `clustering` with `model`, none: the built-in one.
+/// Methods by name. Each runs with `config` but for what makes it that method (pipeline.method);
+/// `objectness`, `oracle` and `clustering` with `model`, none: the built-in one.
 /// kBadConfig: an unknown name.
 Result<std::vector<Method>> makeMethods(const std::vector<std::string>& names, const Config& config,
                                         const std::optional<LearnedObjectness>& model = {});

@@ -66,7 +66,7 @@ TrainingScene observe(const Frame& frame, const cv::Mat_<ushort>& truth, const C
   const int factor = averagedPixels(frame, config.resolution);  // as segment() sees it
   scene.frame = factor == 1 ? frame : averageBlocks(frame, factor);
   Config grouping = config;
-  grouping.grouping.enabled = true;  // it is for this method that scenes are learned from
+  grouping.pipeline.method = SegmentationMethod::kObjectness;  // it is for this method that scenes are learned from
   Report report;
   observeScene(scene.frame, grouping, Stages(nullptr, report), scene);
   if (!scene.status.ok()) return scene;

@@ -41,8 +41,11 @@ struct Images {
 /// (name of the status, its sentence)
 py::tuple pythonStatus(const Status& status) { return py::make_tuple(toString(status.code), status.message); }
 
+/// (status, warnings)
 py::tuple setParametersOf(Config& config, const std::vector<std::string>& assignments) {
-  return pythonStatus(setParameters(assignments, config));
+  std::vector<std::string> warnings;
+  const Status status = setParameters(assignments, config, &warnings);
+  return py::make_tuple(pythonStatus(status), warnings);
 }
 
 /// (status, labels, objects.json)

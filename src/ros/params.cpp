@@ -13,6 +13,9 @@ namespace {
 using objectness::Config;
 using objectness::ConfigField;
 using objectness::configFields;
+using objectness::FormerParameters;
+using objectness::kMethodNames;
+using objectness::SegmentationMethod;
 using XmlRpc::XmlRpcValue;
 
 /// The name in the nested form of the presets.
@@ -40,13 +43,26 @@ bool convert(XmlRpcValue from, bool& to) {
   return true;
 }
 
+/// False for what is no name of a method.
+bool fromName(const std::string& name, SegmentationMethod& to) {
+  const auto found = std::find(kMethodNames.begin(), kMethodNames.end(), name);
+  if (found == kMethodNames.end()) return false;
+  to = static_cast<SegmentationMethod>(found - kMethodNames.begin());
+  return true;
+}
+std::string toName(SegmentationMethod method) { return kMethodNames.at(static_cast<std::size_t>(method)); }
+bool convert(XmlRpcValue from, SegmentationMethod& to) {
+  return from.getType() == XmlRpcValue::TypeString && fromName(static_cast<std::string>(from), to);
+}
+
 /// Sets the field; false, and the field as it was, when the value has the wrong type or is out of range.
 bool assign(const XmlRpcValue& value, const ConfigField& field) {
   return std::visit(
       [&](auto* target) {
         auto converted = *target;
-        // The comparison is false for NaN.
-        if (!convert(value, converted) || !(converted >= field.range.min && converted <= field.range.max)) return false;
+        if (!convert(value, converted)) return false;
+        const auto number = static_cast<double>(converted);
+        if (!(number >= field.range.min && number <= field.range.max)) return false;  // also of NaN
         *target = converted;
         return true;
       },
@@ -56,6 +72,11 @@ bool assign(const XmlRpcValue& value, const ConfigField& field) {
 std::string expectation(const ConfigField& field) {
   if (std::holds_alternative<bool*>(field.value)) return "true or false";
   std::ostringstream text;
+  if (std::holds_alternative<SegmentationMethod*>(field.value)) {
+    text << "one of";
+    for (const char* name : kMethodNames) text << " '" << name << "'";
+    return text.str();
+  }
   text << (std::holds_alternative<int*>(field.value) ? "a whole number" : "a number") << " from " << field.range.min
        << " to " << field.range.max;
   return text.str();
@@ -65,7 +86,10 @@ std::string expectation(const ConfigField& field) {
 std::vector<std::string> findUnknown(const ros::NodeHandle& nh, const std::vector<std::string>& others) {
   std::set<std::string> known(others.begin(), others.end());
   Config config;
-  for (const ConfigField& field : configFields(config)) known.insert({parameterName(field), nestedName(field)});
+  FormerParameters former;
+  for (const auto& fields : {configFields(config), former.fields()}) {
+    for (const ConfigField& field : fields) known.insert({parameterName(field), nestedName(field)});
+  }
   std::vector<std::string> all, unknown;
   nh.getParamNames(all);
   const std::string prefix = nh.getNamespace() + "/";
@@ -83,6 +107,22 @@ void visitList(Message& message, const ConfigField& field, Visit&& visit) {
   if (auto* const* number = std::get_if<double*>(&field.value)) visit(message.doubles, **number);
   if (auto* const* whole = std::get_if<int*>(&field.value)) visit(message.ints, **whole);
   if (auto* const* flag = std::get_if<bool*>(&field.value)) visit(message.bools, **flag);
+  if (auto* const* method = std::get_if<SegmentationMethod*>(&field.value)) visit(message.strs, **method);
+}
+
+// Values as dynamic_reconfigure has them.
+template <class T>
+T toReconfigure(T value) {
+  return value;
+}
+std::string toReconfigure(SegmentationMethod method) { return toName(method); }
+template <class T, class From>
+void fromReconfigure(const From& from, T& to) {
+  to = from;
+}
+/// What is no name of a method becomes a value that validate() rejects.
+void fromReconfigure(const std::string& name, SegmentationMethod& to) {
+  if (!fromName(name, to)) to = static_cast<SegmentationMethod>(kMethodNames.size());
 }
 
 }  // namespace
@@ -97,10 +137,17 @@ bool isReconfigurable(const ConfigField& field) {
 
 ReadParameters readParameters(const ros::NodeHandle& nh, const std::vector<std::string>& others) {
   ReadParameters result;
-  for (const ConfigField& field : configFields(result.config)) {
+  FormerParameters former;
+  std::set<std::string> given;
+  std::vector<ConfigField> fields = configFields(result.config);
+  for (const ConfigField& field : former.fields()) fields.push_back(field);
+  for (const ConfigField& field : fields) {
     for (const std::string& name : {nestedName(field), parameterName(field)}) {
       XmlRpcValue value;
-      if (nh.getParam(name, value) && !assign(value, field)) {
+      if (!nh.getParam(name, value)) continue;
+      if (assign(value, field)) {
+        given.insert(field.fullName());
+      } else {
         std::ostringstream problem;
         problem << "parameter " << nh.resolveName(name) << " is " << value << ", must be " << expectation(field)
                 << ": it is not used";
@@ -108,6 +155,8 @@ ReadParameters readParameters(const ros::NodeHandle& nh, const std::vector<std::
       }
     }
   }
+  for (const std::string& warning : former.apply(given, result.config))
+    result.problems.push_back("parameter " + warning);
   for (std::string& unknown : findUnknown(nh, others)) result.problems.push_back(std::move(unknown));
   const std::vector<std::string> contradictions = objectness::validate(result.config);
   if (!contradictions.empty()) {
@@ -121,7 +170,7 @@ ReadParameters readParameters(const ros::NodeHandle& nh, const std::vector<std::
 void writeReconfigurable(Config config, const ros::NodeHandle& nh) {
   for (const ConfigField& field : configFields(config)) {
     if (!isReconfigurable(field)) continue;
-    std::visit([&](const auto* value) { nh.setParam(parameterName(field), *value); }, field.value);
+    std::visit([&](const auto* value) { nh.setParam(parameterName(field), toReconfigure(*value)); }, field.value);
   }
 }
 
@@ -132,7 +181,7 @@ dynamic_reconfigure::Config toReconfigureMessage(Config config) {
     visitList(message, field, [&](auto& list, const auto& value) {
       list.emplace_back();
       list.back().name = parameterName(field);
-      list.back().value = value;
+      list.back().value = toReconfigure(value);
     });
   }
   return message;
@@ -143,7 +192,7 @@ Config fromReconfigureMessage(const dynamic_reconfigure::Config& message, Config
     if (!isReconfigurable(field)) continue;
     visitList(message, field, [name = parameterName(field)](const auto& list, auto& value) {
       const auto named = std::find_if(list.begin(), list.end(), [&](const auto& entry) { return entry.name == name; });
-      if (named != list.end()) value = named->value;
+      if (named != list.end()) fromReconfigure(named->value, value);
     });
   }
   return config;

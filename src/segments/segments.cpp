@@ -86,8 +86,8 @@ OrientedBox orientedBox(const Box& box, const Grid& grid, const Eigen::Isometry3
 }
 
 std::vector<Segment> cutSegments(const Frame& frame, const Eigen::Isometry3d& T_table_camera, const CuePoints& points,
-                                 const std::vector<SelectedBox>& boxes, double margin_m, const SegmentsConfig& config,
-                                 int threads) {
+                                 const std::vector<SelectedBox>& boxes, double margin_m, bool follow_superpixels,
+                                 const SegmentsConfig& config, int threads) {
   const std::size_t count = points.points.size();
   std::vector<std::vector<int>> in_box(boxes.size());
   cv::Mat_<int> owner(frame.height(), frame.width(), -1);
@@ -101,7 +101,7 @@ std::vector<Segment> cutSegments(const Frame& frame, const Eigen::Isometry3d& T_
       if (ownerOf(i) < 0) ownerOf(i) = static_cast<int>(k);
     }
   }
-  if (config.follow_superpixels) {
+  if (follow_superpixels) {
     const std::vector<int> followed = followedBoxes(points, in_box, config.min_superpixel_share);
     cv::Mat_<uchar> open(frame.height(), frame.width(), static_cast<uchar>(0));
     for (std::size_t i = 0; i < count; ++i) {

@@ -21,11 +21,12 @@ struct SelectedBox {
 OrientedBox orientedBox(const Box& box, const Grid& grid, const Eigen::Isometry3d& T_table_camera);
 
 /// Gives every object point to at most one box (paper Sec. 4: a segment is what falls within a box; a point in several
-/// goes to the one of highest objectness). boxes: best first; margin_m: as in FilterConfig::box_margin_m. Best segment
-/// first.
+/// goes to the one of highest objectness). boxes: best first; margin_m: as in FilterConfig::box_margin_m.
+/// follow_superpixels: past the paper, whole superpixels follow the box that holds most of them, and other points their
+/// nearest segment. Best segment first.
 std::vector<Segment> cutSegments(const Frame& frame, const Eigen::Isometry3d& T_table_camera, const CuePoints& points,
-                                 const std::vector<SelectedBox>& boxes, double margin_m, const SegmentsConfig& config,
-                                 int threads = 1);
+                                 const std::vector<SelectedBox>& boxes, double margin_m, bool follow_superpixels,
+                                 const SegmentsConfig& config, int threads = 1);
 
 /// Takes segments without pixels out of the list. What stood on one of them stands on something that is no segment.
 void dropEmpty(std::vector<Segment>& segments);

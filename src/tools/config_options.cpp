@@ -2,10 +2,12 @@
 #include "tools/config_options.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <iterator>
 
 #include "objectness_segmentation/io/config_yaml.hpp"
+#include "tools/tool_message.hpp"
 
 namespace objectness {
 namespace {
@@ -36,8 +38,9 @@ void addModelOption(po::options_description& options) {
 
 void addConfigOptions(po::options_description& options) {
   options.add_options()("method", po::value<std::string>()->value_name("NAME"),
-                        "objectness: groups of superpixels of any height and tilt, judged by what was learned (the "
-                        "default); paper: the paper's boxes, weighed by hand (grouping.enabled)");
+                        "objectness: groups of superpixels of any height and tilt, scored by what was learned (the "
+                        "default); paper: the paper's boxes, which superpixels follow; boxes: the points within these "
+                        "boxes (pipeline.method)");
   addParameterOptions(options);
   addModelOption(options);
   auto add = options.add_options();
@@ -47,9 +50,10 @@ void addConfigOptions(po::options_description& options) {
 
 Status readParameterOptions(const po::variables_map& values, std::vector<std::string>& inputs,
                             const std::vector<std::string>& more, Config& config) {
+  std::vector<std::string> warnings;
   if (values.count("config")) {
     const auto path = values["config"].as<std::string>();
-    const Status status = loadConfig(path, config);
+    const Status status = loadConfig(path, config, &warnings);
     if (!status.ok()) return Status::error(StatusCode::kBadConfig, "--config " + path + ": " + status.message);
   }
   std::vector<std::string> assignments;
@@ -61,18 +65,20 @@ Status readParameterOptions(const po::variables_map& values, std::vector<std::st
     inputs.erase(first, inputs.end());
   }
   assignments.insert(assignments.end(), more.begin(), more.end());
-  return setParameters(assignments, config);
+  const Status status = setParameters(assignments, config, &warnings);
+  for (const std::string& warning : warnings) printToolMessage(program_invocation_short_name, warning);
+  return status;
 }
 
 Status readConfigOptions(const po::variables_map& values, std::vector<std::string>& inputs, Config& config) {
   std::vector<std::string> assignments;
   if (values.count("method")) {
     const auto method = values["method"].as<std::string>();
-    if (method != "objectness" && method != "paper") {
+    if (std::find(kMethodNames.begin(), kMethodNames.end(), method) == kMethodNames.end()) {
       return Status::error(StatusCode::kBadConfig,
-                           "--method " + method + ": there are only the methods 'objectness' and 'paper'");
+                           "--method " + method + ": there are only the methods 'objectness', 'paper' and 'boxes'");
     }
-    assignments.push_back(std::string("grouping.enabled=") + (method == "paper" ? "false" : "true"));
+    assignments.push_back("pipeline.method=" + method);
   }
   for (const char* name : {"threads", "seed"}) {
     if (values.count(name))

@@ -22,7 +22,7 @@ void addModelOption(boost::program_options::options_description& options);
 void addConfigOptions(boost::program_options::options_description& options);
 
 /// Lays what --config, --set and `more` (as --set) ask for over `config`. Further assignments of a --set are found
-/// among the inputs and taken out there.
+/// among the inputs and taken out there. Names of earlier versions are warned of on standard error.
 Status readParameterOptions(const boost::program_options::variables_map& values, std::vector<std::string>& inputs,
                             const std::vector<std::string>& more, Config& config);
 

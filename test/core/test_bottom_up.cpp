@@ -90,7 +90,7 @@ const std::vector<PlacedBox> kStack = {{{0.24, 0.18, 0.08}, at(0, 0, 0, 20)},
 }  // namespace
 
 TEST(BottomUp, IsTheDefault) {
-  EXPECT_TRUE(Config().grouping.enabled);
+  EXPECT_EQ(Config().pipeline.method, SegmentationMethod::kObjectness);
   std::vector<std::string> stages;
   const Segmentation result = segment(pictureOf(kStack).frame, Config());
   for (const auto& entry : result.report.timings_ms) stages.push_back(entry.first);
@@ -98,7 +98,7 @@ TEST(BottomUp, IsTheDefault) {
                                               "pieces", "groups", "selection", "segments", "background", "whole_boxes",
                                               "unmeasured", "total"}));
   Config paper;
-  paper.grouping.enabled = false;
+  paper.pipeline.method = SegmentationMethod::kPaper;
   paper.search.angle_step_deg = 45;
   std::set<std::string> of_the_paper;
   for (const auto& entry : segment(pictureOf(kStack).frame, paper).report.timings_ms) of_the_paper.insert(entry.first);

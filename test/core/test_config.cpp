@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <tuple>
 
 #include "fixtures/temporary_folder.hpp"
 #include "objectness_segmentation/config_fields.hpp"
@@ -55,7 +56,9 @@ TEST(Config, EveryValueOutOfItsRangeIsNamedWithTheRange) {
       put(field, wrong);
       const auto problems = validate(config);
       EXPECT_TRUE(mentions(problems, field.fullName() + " is ")) << field.fullName();
-      EXPECT_TRUE(mentions(problems, "must be within")) << field.fullName();
+      const bool is_method = std::holds_alternative<SegmentationMethod*>(field.value);
+      EXPECT_TRUE(mentions(problems, is_method ? "must be objectness, paper or boxes" : "must be within"))
+          << field.fullName();
     }
     if (std::holds_alternative<double*>(field.value)) {
       config = defaults;
@@ -87,11 +90,10 @@ TEST(Config, ContradictionsAreNamed) {
 TEST(ConfigYaml, LaysAPresetOverTheConfiguration) {
   Config config;
   config.runtime.seed = 7;
-  const Status status =
-      load("search:\n  angle_step_deg: 10\nsegments: {follow_superpixels: off, min_pixels: 5}\n", config);
+  const Status status = load("search:\n  angle_step_deg: 10\nsegments: {max_reach_m: 0.1, min_pixels: 5}\n", config);
   ASSERT_TRUE(status.ok()) << status.message;
   EXPECT_EQ(config.search.angle_step_deg, 10);
-  EXPECT_FALSE(config.segments.follow_superpixels);
+  EXPECT_EQ(config.segments.max_reach_m, 0.1);
   EXPECT_EQ(config.segments.min_pixels, 5);
   EXPECT_EQ(config.runtime.seed, 7);
   EXPECT_TRUE(load("", config).ok());
@@ -151,10 +153,49 @@ TEST(ConfigYaml, Assignments) {
   EXPECT_FALSE(setParameters({"filter.threshold=1: 2"}, config).ok());
 }
 
+TEST(ConfigYaml, MethodsHaveNames) {
+  Config config;
+  for (std::size_t k = 0; k < kMethodNames.size(); ++k) {
+    ASSERT_TRUE(load(std::string("pipeline: {method: ") + kMethodNames[k] + "}", config).ok());
+    EXPECT_EQ(config.pipeline.method, static_cast<SegmentationMethod>(k));
+    EXPECT_NE(toYaml(config).find(std::string("method: ") + kMethodNames[k]), std::string::npos);
+  }
+  EXPECT_NE(setParameters({"pipeline.method=graph"}, config)
+                .message.find("pipeline.method is 'graph', must be objectness, paper or boxes"),
+            std::string::npos);
+}
+
+TEST(ConfigYaml, FormerNamesOfMethodsCountWithAWarning) {
+  const std::vector<std::tuple<std::vector<std::string>, SegmentationMethod, std::size_t>> cases{
+      {{}, SegmentationMethod::kObjectness, 0},
+      {{"grouping.enabled=false"}, SegmentationMethod::kPaper, 1},
+      {{"pipeline.method=paper", "grouping.enabled=true"}, SegmentationMethod::kObjectness, 1},
+      {{"pipeline.method=boxes", "grouping.enabled=false"}, SegmentationMethod::kBoxes, 1},
+      {{"segments.follow_superpixels=false", "grouping.enabled=false"}, SegmentationMethod::kBoxes, 2},
+      {{"segments.follow_superpixels=false"}, SegmentationMethod::kObjectness, 1},
+      {{"pipeline.method=boxes", "segments.follow_superpixels=true"}, SegmentationMethod::kPaper, 1}};
+  for (const auto& [assignments, method, warned] : cases) {
+    Config config;
+    std::vector<std::string> warnings;
+    ASSERT_TRUE(setParameters(assignments, config, &warnings).ok());
+    EXPECT_EQ(config.pipeline.method, method);
+    ASSERT_EQ(warnings.size(), warned);
+    if (warned > 0) EXPECT_TRUE(mentions(warnings, "is replaced by pipeline.method: ")) << warnings[0];
+  }
+  Config config;
+  EXPECT_NE(setParameters({"grouping.enabled=3"}, config).message.find("must be true or false"), std::string::npos);
+  std::vector<std::string> warnings;
+  const TemporaryFolder folder;
+  writeBytes(folder / "preset.yaml", "grouping: {enabled: off}");
+  ASSERT_TRUE(loadConfig(folder / "preset.yaml", config, &warnings).ok());
+  EXPECT_EQ(warnings, std::vector<std::string>{"grouping.enabled is replaced by pipeline.method: paper"});
+}
+
 TEST(ConfigYaml, ListsEveryParameter) {
   const std::string list = listParameters();
   EXPECT_NE(list.find("search.angle_step_deg\tdouble\t5\t1\t90\tstep of"), std::string::npos) << list;
   EXPECT_NE(list.find("table.given\tbool\tfalse\tfalse\ttrue\t"), std::string::npos);
+  EXPECT_NE(list.find("pipeline.method\tstring\tobjectness\tobjectness|paper|boxes\t\t"), std::string::npos);
 }
 
 TEST(ConfigYaml, ShippedPresetsLoad) {

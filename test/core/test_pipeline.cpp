@@ -32,7 +32,7 @@ Surface moved(const Surface& surface, const Eigen::Isometry3d& T_world_surface) 
 /// The paper's method, quick.
 Config quickConfig() {
   Config config;
-  config.grouping.enabled = false;
+  config.pipeline.method = SegmentationMethod::kPaper;
   config.search.angle_step_deg = 15;
   return config;
 }

@@ -45,9 +45,8 @@ SelectedBox selectedBox(int x0, int x1, int y0, int y1, float objectness) {
 
 const Eigen::Isometry3d kHere = Eigen::Isometry3d::Identity();
 
-SegmentsConfig config(bool follow) {
+SegmentsConfig config() {
   SegmentsConfig c;
-  c.follow_superpixels = follow;
   c.min_pixels = 1;
   return c;
 }
@@ -58,7 +57,7 @@ TEST(Segments, PlainBoxesGiveAPixelToTheBestBoxThatHoldsIt) {
   const Frame frame = flatFrame(10, 1);
   const CuePoints points = pointsOf(frame, std::vector<int>(10, 0));
   const auto segments = cutSegments(frame, kHere, points,
-                                    {selectedBox(0, 4, 0, 3, 1.2f), selectedBox(2, 8, 0, 3, 1.0f)}, 0, config(false));
+                                    {selectedBox(0, 4, 0, 3, 1.2f), selectedBox(2, 8, 0, 3, 1.0f)}, 0, false, config());
   ASSERT_EQ(segments.size(), 2u);
   EXPECT_EQ(segments[0].pixels, (std::vector<int>{0, 1, 2, 3}));
   EXPECT_EQ(segments[1].pixels, (std::vector<int>{4, 5, 6, 7}));
@@ -69,8 +68,8 @@ TEST(Segments, TheMarginCountsAsInside) {
   const Frame frame = flatFrame(10, 1);
   const CuePoints points = pointsOf(frame, std::vector<int>(10, 0));
   const std::vector<SelectedBox> boxes = {selectedBox(2, 5, 0, 3, 1)};
-  EXPECT_EQ(cutSegments(frame, kHere, points, boxes, 0.004, config(false))[0].pixels.size(), 3u);
-  EXPECT_EQ(cutSegments(frame, kHere, points, boxes, 0.006, config(false))[0].pixels.size(), 5u);
+  EXPECT_EQ(cutSegments(frame, kHere, points, boxes, 0.004, false, config())[0].pixels.size(), 3u);
+  EXPECT_EQ(cutSegments(frame, kHere, points, boxes, 0.006, false, config())[0].pixels.size(), 5u);
 }
 
 TEST(Segments, WholeSuperpixelsFollowTheBoxThatHoldsMostOfThem) {
@@ -78,7 +77,7 @@ TEST(Segments, WholeSuperpixelsFollowTheBoxThatHoldsMostOfThem) {
   const CuePoints points = pointsOf(frame, {1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 2});
   // The first box holds superpixel 1 and two pixels of superpixel 2, the second most of superpixel 2.
   const auto segments = cutSegments(frame, kHere, points,
-                                    {selectedBox(0, 7, 0, 3, 1.2f), selectedBox(6, 11, 0, 3, 1.0f)}, 0, config(true));
+                                    {selectedBox(0, 7, 0, 3, 1.2f), selectedBox(6, 11, 0, 3, 1.0f)}, 0, true, config());
   ASSERT_EQ(segments.size(), 2u);
   EXPECT_EQ(segments[0].pixels, (std::vector<int>{0, 1, 2, 3, 4}));
   EXPECT_EQ(segments[1].pixels, (std::vector<int>{5, 6, 7, 8, 9, 10, 11}));
@@ -87,19 +86,19 @@ TEST(Segments, WholeSuperpixelsFollowTheBoxThatHoldsMostOfThem) {
 TEST(Segments, PointsWithoutSuperpixelFollowTheirNearestSegment) {
   const Frame frame = flatFrame(12, 1);
   const CuePoints points = pointsOf(frame, {1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0});
-  SegmentsConfig c = config(true);
+  SegmentsConfig c = config();
   c.max_reach_m = 0.031;
-  const auto segments = cutSegments(frame, kHere, points, {selectedBox(0, 4, 0, 3, 1)}, 0, c);
+  const auto segments = cutSegments(frame, kHere, points, {selectedBox(0, 4, 0, 3, 1)}, 0, true, c);
   EXPECT_EQ(segments[0].pixels, (std::vector<int>{0, 1, 2, 3, 4, 5, 6})) << "three pixels of 1 cm, and no farther";
 }
 
 TEST(Segments, SmallSegmentsAreDroppedAndBestComeFirst) {
   const Frame frame = flatFrame(10, 1);
   const CuePoints points = pointsOf(frame, std::vector<int>(10, 0));
-  SegmentsConfig c = config(false);
+  SegmentsConfig c = config();
   c.min_pixels = 3;
   const auto segments =
-      cutSegments(frame, kHere, points, {selectedBox(0, 2, 0, 3, 1.2f), selectedBox(3, 8, 0, 3, 1.0f)}, 0, c);
+      cutSegments(frame, kHere, points, {selectedBox(0, 2, 0, 3, 1.2f), selectedBox(3, 8, 0, 3, 1.0f)}, 0, false, c);
   ASSERT_EQ(segments.size(), 1u);
   cv::Mat_<uchar> on_table(1, 10, static_cast<uchar>(0));
   on_table(0, 0) = on_table(0, 5) = 255;

@@ -116,7 +116,7 @@ TEST(Supports, OfThePaperReachTheTable) {
   sim::DepthSensor ideal;
   ideal.ideal = true;
   Config paper;
-  paper.grouping.enabled = false;
+  paper.pipeline.method = SegmentationMethod::kPaper;
   paper.search.angle_step_deg = 15;
   const Errors errors = errorsOf("boxes", ideal, 4, paper);
   ASSERT_GT(errors.low.size(), 4u);

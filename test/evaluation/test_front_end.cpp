@@ -83,7 +83,7 @@ TEST(FrontEnd, BothMethodsTheLearningAndTheBaselinesObserveTheSame) {
     }
   }
 
-  config.grouping.enabled = false;
+  config.pipeline.method = SegmentationMethod::kPaper;
   const Segmentation paper = segment(scene.frame, config);
   expectSameTable(paper, found);
   EXPECT_TRUE(sameBits(paper.edges.kinds, found.edges.kinds));

@@ -31,7 +31,7 @@ TEST(Methods, BoxesAreThoseOfThePreset) {
 
 TEST(Methods, RunWithTheConfigurationButForWhatMakesThem) {
   Config config;
-  config.grouping.enabled = false;
+  config.pipeline.method = SegmentationMethod::kPaper;
   config.input.max_depth_m = 2.5;
   const auto methods = makeMethods({"objectness", "paper", "mps"}, config);
   ASSERT_TRUE(methods.ok());
@@ -39,7 +39,7 @@ TEST(Methods, RunWithTheConfigurationButForWhatMakesThem) {
     EXPECT_EQ(method.input.max_depth_m, 2.5) << method.name;
     EXPECT_NE(method.settings.find("max_depth_m: 2.5"), std::string::npos) << method.name;
   }
-  config.grouping.enabled = true;
+  config.pipeline.method = SegmentationMethod::kObjectness;
   EXPECT_EQ(methods.value[0].settings, toYaml(config));
 }
 

@@ -124,7 +124,7 @@ TEST(BestBox, OfBackgroundOrNoneIsWorthNothing) {
 TEST(Proposals, OfTheDemoSceneHoldItsObjects) {
   const SceneImages scene = demoImages(1);
   Config config;
-  config.grouping.enabled = false;
+  config.pipeline.method = SegmentationMethod::kPaper;
   config.search.angle_step_deg = 15;
   const auto frame = makeFrame(scene.depth_mm, scene.color, scene.camera, config.input);
   const Segmentation result = segment(frame.value, config);

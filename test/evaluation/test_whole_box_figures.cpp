@@ -37,7 +37,7 @@ double overlap(const sim::TrueObject& object, const OrientedBox& found) {
 Metrics figuresOf(const std::string& level, sim::DepthSensor sensor, bool grouping = true) {
   Metrics figures;
   Config config;
-  config.grouping.enabled = grouping;
+  config.pipeline.method = grouping ? SegmentationMethod::kObjectness : SegmentationMethod::kPaper;
   for (std::uint32_t index = 0; index < 12; ++index) {
     sim::SceneRequest request;
     request.level = level;

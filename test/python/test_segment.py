@@ -34,14 +34,19 @@ class Segment(ModuleTest):
 
     def test_numbers_of_numpy_are_parameters(self):
         parameters = {'input.max_depth_m': numpy.float64(0.95), 'segments.min_pixels': numpy.int32(900),
-                      'grouping.enabled': numpy.True_}
+                      'grouping.learned': numpy.True_}
         self.expect_same(segment(self.depth, self.camera_matrix, **parameters),
                          self.segment_by_tool('--set', 'input.max_depth_m=0.95', 'segments.min_pixels=900'))
 
+    def test_names_of_earlier_versions_count_with_a_warning(self):
+        with self.assertWarnsRegex(FutureWarning, 'grouping.enabled is replaced by pipeline.method: paper'):
+            former = segment(self.depth, self.camera_matrix, grouping={'enabled': False})
+        self.expect_same(former, segment(self.depth, self.camera_matrix, pipeline={'method': 'paper'}))
+
     def test_result_does_not_depend_on_threads(self):
-        for enabled in (True, False):
+        for method in ('objectness', 'paper'):
             results = [without_times(segment(self.depth, self.camera_matrix, runtime={'threads': threads},
-                                             grouping={'enabled': enabled})) for threads in (1, 2, 5)]
+                                             pipeline={'method': method})) for threads in (1, 2, 5)]
             self.assertEqual(results[0], results[1])
             self.assertEqual(results[0], results[2])
 
@@ -130,7 +135,7 @@ class Segment(ModuleTest):
         ticker.start()
         try:
             start = time.monotonic()
-            found = segment(depth, camera_matrix, **{'grouping.enabled': False, 'runtime.threads': 1})
+            found = segment(depth, camera_matrix, **{'pipeline.method': 'paper', 'runtime.threads': 1})
             end = time.monotonic()
         finally:
             done.set()

@@ -14,12 +14,12 @@ namespace {
 
 using namespace objectness_test;
 
-class OutOfMemory : public ::testing::TestWithParam<bool> {};
+class OutOfMemory : public ::testing::TestWithParam<objectness::SegmentationMethod> {};
 
 TEST_P(OutOfMemory, AnyAllocationOfAFrameMayFail) {
   objectness::Config config;
   config.runtime.threads = 1;
-  config.grouping.enabled = GetParam();
+  config.pipeline.method = GetParam();
   config.search.angle_step_deg = 45;
   const objectness::Frame frame = tableScene(2).render();
   const objectness::Segmentation good = objectness::segment(frame, config);
@@ -50,7 +50,11 @@ TEST_P(OutOfMemory, AnyAllocationOfAFrameMayFail) {
   EXPECT_EQ(cv::countNonZero(again.labels != good.labels), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, OutOfMemory, ::testing::Bool(),
-                         [](const auto& method) { return method.param ? "default" : "paper"; });
+INSTANTIATE_TEST_SUITE_P(Methods, OutOfMemory,
+                         ::testing::Values(objectness::SegmentationMethod::kObjectness,
+                                           objectness::SegmentationMethod::kPaper),
+                         [](const auto& method) {
+                           return method.param == objectness::SegmentationMethod::kPaper ? "paper" : "default";
+                         });
 
 }  // namespace

@@ -180,7 +180,7 @@ TEST_F(SegmentTool, WrongCommandLines) {
   expectUsageError("", "no INPUT given");
   expectUsageError("scene", "no --out DIR given");
   expectUsageError("--out o --pict scene", "unrecognised option '--pict'");
-  expectUsageError("--out o --method graph scene", "there are only the methods 'objectness' and 'paper'");
+  expectUsageError("--out o --method graph scene", "there are only the methods 'objectness', 'paper' and 'boxes'");
   expectUsageError("--out o --threads many scene", "runtime.threads is 'many', must be a whole number");
   expectUsageError("--out o --seed -1 scene", "seed");
   expectUsageError("--out o --set serach.angle_step_deg=3 scene", "did you mean search.angle_step_deg?");
@@ -210,7 +210,7 @@ TEST_F(SegmentTool, PrintsHelpParametersAndConfiguration) {
   const std::string preset = REPOSITORY_DIR "/cfg/plain_boxes.yaml";
   const Outcome config = run("--print-config --config " + preset + " --set runtime.seed=5 runtime.threads=3");
   EXPECT_EQ(config.exit_status, 0) << config.err;
-  for (const char* text : {"follow_superpixels: false", "seed: 5", "threads: 3"}) {
+  for (const char* text : {"method: boxes", "seed: 5", "threads: 3"}) {
     EXPECT_NE(config.out.find(text), std::string::npos) << text << "\n" << config.out;
   }
 }

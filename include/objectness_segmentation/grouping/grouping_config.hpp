@@ -43,7 +43,6 @@ struct GroupKinds {
 };
 
 struct GroupingConfig {
-  bool enabled = true;
   bool learned = true;
   GroupKinds kinds;
   int max_groups = 1000;
@@ -62,8 +61,6 @@ struct GroupingConfig {
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
-    visit("enabled", self.enabled,
-          "objects are groups of superpixels, judged by what was learned; off: the paper's own boxes");
     visit("learned", self.learned,
           "links and groups are judged by the model; off: by rules set by hand and Eq. 6 of the group's box");
     visit("dendrograms", self.kinds.dendrograms, "groups are proposed that three ways of merging pieces pass through");

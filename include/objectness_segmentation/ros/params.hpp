@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "objectness_segmentation/config_fields.hpp"
+#include "objectness_segmentation/former_parameters.hpp"
 
 namespace objectness_segmentation {
 
@@ -27,7 +27,7 @@ struct ReadParameters {
 
 /// Reads the parameters below nh: "group/field" as a preset of the file tool gives them, over it "group_field". A value
 /// of the wrong type or out of range is a problem and leaves the default, a contradiction between values leaves all
-/// defaults; a name that is no parameter (nor in `others`) is a problem too.
+/// defaults; a name that is no parameter (nor in `others`) or one of an earlier version is a problem too.
 ReadParameters readParameters(const ros::NodeHandle& nh, const std::vector<std::string>& others);
 
 /// Writes the reconfigurable fields below nh, where the dynamic_reconfigure server of the same nh finds them.

@@ -6,7 +6,6 @@
 namespace objectness {
 
 struct SegmentsConfig {
-  bool follow_superpixels = true;
   double min_superpixel_share = 0.5;
   double max_reach_m = 0.04;
   double max_step_m = 0.015;
@@ -14,10 +13,6 @@ struct SegmentsConfig {
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
-    visit(
-        "follow_superpixels", self.follow_superpixels,
-        "paper's boxes: whole superpixels follow the box that holds most of them, other points their nearest segment; "
-        "off: the pixels within the box");
     visit("min_superpixel_share", self.min_superpixel_share, Range{0, 1},
           "paper's boxes: a superpixel follows a box that holds at least this share of it");
     visit("max_reach_m", self.max_reach_m, Range{0, 0.5},

@@ -2,6 +2,7 @@
 """What users call: segment(), Segmenter and their error."""
 import json
 import math
+import warnings
 
 import numpy
 
@@ -44,7 +45,10 @@ def _check(status):
 
 def _config(parameters):
     config = _core.Config()
-    _check(config.set(_parameters.assignments(parameters)))
+    status, replaced = config.set(_parameters.assignments(parameters))
+    _check(status)
+    for sentence in replaced:
+        warnings.warn(sentence, FutureWarning, stacklevel=3)
     return config
 
 

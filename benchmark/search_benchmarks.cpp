@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "reference/plain_search.hpp"
 #include "registration.hpp"
 #include "search_input.hpp"
 

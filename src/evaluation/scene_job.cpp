@@ -14,7 +14,6 @@
 #include "io/png_file.hpp"
 #include "objectness_segmentation/io/overlay.hpp"
 #include "objectness_segmentation/io/scene_folder.hpp"
-#include "selection/box_filter.hpp"
 
 namespace objectness::evaluation {
 namespace fs = std::filesystem;

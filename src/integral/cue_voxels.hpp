@@ -28,10 +28,6 @@ struct CueVoxels {
 /// One superpixel's voxels (grid coordinates, not empty) in a grid `nz` high.
 SuperpixelVoxels superpixelVoxels(const std::vector<Eigen::Vector3i>& voxels, int nz);
 
-/// Marks the voxels of one angle one by one: the definition that Voxelizer must agree with.
-CueVoxels markVoxelsPlain(const Frame& frame, const Table& table, const CuePoints& points, const Grid& grid,
-                          const VolumeConfig& config);
-
 /// Whether the point is hidden from the camera: its pixel was measured nearer than it by more than the tolerance
 /// (Sec. 2.3). Beyond the image: free. Missing depth: unknown_is_occluded.
 bool isOccluded(const Frame& frame, const Eigen::Vector3d& p_camera, const VolumeConfig& config);

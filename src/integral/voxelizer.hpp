@@ -11,8 +11,8 @@ namespace objectness {
 
 class OcclusionMap;
 
-/// Marks the voxels of a frame at any angle, the same as markVoxelsPlain(): everything that does not depend on the
-/// angle is done once.
+/// Marks the voxels of a frame at any angle, the same as one by one (test/reference/plain_voxels.hpp): everything that
+/// does not depend on the angle is done once.
 class Voxelizer {
  public:
   Voxelizer(const CuePoints& points, const VolumeConfig& config);

@@ -31,12 +31,9 @@ struct SearchResult {
   std::string unbounded;  ///< why searchBounded() could not use its bounds and scanned instead; empty if it could
 };
 
-/// Scores every box by scoreBox(): a plain nested loop over the sampling of paper Sec. 2.2. The definition of the
-/// result.
-SearchResult searchPlain(const CueVolumes& volumes, int angle, const SearchTask& task);
-
-/// The same result, to the last bit: bounds all heights of a footprint at once without the superpixel cue (which is at
-/// most 1), and scores only the boxes whose bound reaches the threshold.
+/// All boxes of the sampling of paper Sec. 2.2 whose scoreBox() reaches the threshold, to the last bit those of a plain
+/// loop over all boxes (test/reference/plain_search.hpp): bounds all heights of a footprint at once without the
+/// superpixel cue (which is at most 1), and scores only the boxes whose bound reaches the threshold.
 SearchResult searchScan(const CueVolumes& volumes, int angle, const SearchTask& task);
 
 /// The same result, to the last bit: branch and bound over intervals of the four faces, all heights at once. For

@@ -13,11 +13,12 @@ namespace objectness {
 /// The scene points in the order of their bits: neighbours on the table lie together.
 std::vector<Eigen::Vector3f> inBitOrder(std::vector<Eigen::Vector3f> points);
 
-/// kappa(p, b) of Eq. 9 for all scene points and the boxes of one angle, as PointOverlap answers it: a row of bits for
-/// every position of a face. Groups of points that lie wholly beside a box are skipped.
+/// kappa(p, b) of Eq. 9 for all scene points and the boxes of one angle, one by one in
+/// test/reference/point_overlap.hpp: a row of bits for every position of a face. Groups of points that lie wholly
+/// beside a box are skipped.
 class BoxPoints {
  public:
-  /// points: inBitOrder(), table frame, metres; margin_m: as in PointOverlap.
+  /// points: inBitOrder(), table frame, metres; margin_m: boxes count as this much larger on all sides.
   BoxPoints(const std::vector<Eigen::Vector3f>& points, const PointLayout& layout, const Grid& grid, double margin_m);
 
   /// The points in the box grown by grow_xy voxels on its four sides and grow_z upwards: their number, and the groups

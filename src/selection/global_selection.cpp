@@ -2,7 +2,7 @@
 #include "selection/global_selection.hpp"
 
 #include "selection/annealer.hpp"
-#include "selection/point_overlap.hpp"
+#include "selection/point_set.hpp"
 
 namespace objectness {
 namespace {

@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "objectness_segmentation/selection/selection_config.hpp"
 #include "selection/bit_selection.hpp"
-#include "selection/box_filter.hpp"
 
 namespace objectness {
 

@@ -10,8 +10,9 @@
 #include "fixtures/temporary_folder.hpp"
 #include "integral/cue_volumes.hpp"
 #include "objectness_segmentation/io/scene_folder.hpp"
+#include "reference/plain_search.hpp"
+#include "reference/plain_voxels.hpp"
 #include "search/angle_search.hpp"
-#include "search/search.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

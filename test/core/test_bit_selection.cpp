@@ -5,6 +5,7 @@
 #include "fixtures/random_volumes.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "objectness_segmentation/io/scene_folder.hpp"
+#include "reference/plain_filter.hpp"
 #include "search/angle_search.hpp"
 #include "selection/hypotheses.hpp"
 #include "selection/scene_points.hpp"

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "fixtures/random_volumes.hpp"
-#include "search/search.hpp"
+#include "reference/plain_search.hpp"
 
 using namespace objectness;
 using objectness_test::Dice;

@@ -6,6 +6,7 @@
 #include "integral/integral_volume.hpp"
 #include "integral/voxelizer.hpp"
 #include "objectness_segmentation/io/scene_folder.hpp"
+#include "reference/plain_voxels.hpp"
 #include "search/box_sampler.hpp"
 
 using namespace objectness;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "selection/box_filter.hpp"
+#include "reference/plain_filter.hpp"
 
 #include <algorithm>
 #include <cmath>

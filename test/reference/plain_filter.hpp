@@ -5,7 +5,7 @@
 
 #include "objectness_segmentation/objectness/box.hpp"
 #include "objectness_segmentation/selection/selection_config.hpp"
-#include "selection/point_overlap.hpp"
+#include "reference/point_overlap.hpp"
 
 namespace objectness {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
+#include "reference/plain_search.hpp"
 
-#include "search/search.hpp"
+#include <algorithm>
 
 namespace objectness {
 

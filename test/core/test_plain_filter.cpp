@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "fixtures/random_volumes.hpp"
-#include "selection/box_filter.hpp"
+#include "reference/plain_filter.hpp"
 #include "selection/scene_points.hpp"
 
 using namespace objectness;

@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "integral/grid.hpp"
 #include "objectness_segmentation/objectness/box.hpp"
+#include "selection/point_set.hpp"
 
 namespace objectness {
-
-/// A set of scene points, one bit each.
-using PointSet = std::vector<std::uint64_t>;
-
-int countPoints(const PointSet& set);
-int countShared(const PointSet& a, const PointSet& b);
-bool sharePoints(const PointSet& a, const PointSet& b);
-std::vector<int> listPoints(const PointSet& set);
 
 /// Answers kappa(p, b) of Eq. 9 for all points at once: which scene points lie in a box of one angle.
 ///

@@ -5,6 +5,8 @@
 
 #include "reference/plain_search.hpp"
 #include "registration.hpp"
+#include "search/bounded_search.hpp"
+#include "search/scan_search.hpp"
 #include "search_input.hpp"
 
 namespace objectness::benchmarks {

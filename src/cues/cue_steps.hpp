@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cues/crease.hpp"
-#include "cues/watershed.hpp"
+#include "cues/smooth_surface.hpp"
 #include "objectness_segmentation/cues/edges.hpp"
 #include "objectness_segmentation/cues/superpixels.hpp"
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "cues/depth_edges.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -9,7 +11,6 @@
 #include "common/row_bands.hpp"
 #include "cues/crease.hpp"
 #include "cues/depth_edge_kernel.hpp"
-#include "cues/edge_detectors.hpp"
 
 namespace objectness {
 namespace {

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "cues/cue_steps.hpp"
-#include "cues/edge_detectors.hpp"
+#include "cues/depth_edges.hpp"
+#include "cues/pcl_edges.hpp"
 #include "scene/connected_components_2d.hpp"
 
 namespace objectness {

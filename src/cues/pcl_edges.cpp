@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "cues/pcl_edges.hpp"
+
 #include <pcl/features/organized_edge_detection.h>
 #include <pcl/point_types.h>
 
 #include <cmath>
 #include <limits>
-
-#include "cues/edge_detectors.hpp"
 
 namespace objectness {
 namespace {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "cues/smooth_surface.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "common/row_bands.hpp"
 #include "cues/crease.hpp"
-#include "cues/watershed.hpp"
 
 namespace objectness {
 namespace {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "evaluation/run.hpp"
+#include "evaluation/commit.hpp"
+
 #include "evaluation_commit.hpp"  // written into the build folder at every build
 
 namespace objectness::evaluation {

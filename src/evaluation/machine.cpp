@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "evaluation/machine.hpp"
+
 #include <pcl/pcl_config.h>
 #include <unistd.h>
 
 #include <fstream>
 #include <opencv2/core/version.hpp>
 #include <thread>
-
-#include "evaluation/run.hpp"
 
 namespace objectness::evaluation {
 namespace {

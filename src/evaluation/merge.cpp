@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "evaluation/merge.hpp"
+
 #include <algorithm>
 #include <filesystem>
 #include <map>
 
-#include "evaluation/run.hpp"
 #include "io/file_access.hpp"
 
 namespace objectness::evaluation {

@@ -11,7 +11,7 @@
 #include "finished_segments.hpp"
 #include "front_end.hpp"
 #include "grouping/bottom_up.hpp"
-#include "grouping/group_parts.hpp"
+#include "grouping/links.hpp"
 #include "grouping/object_judge.hpp"
 #include "guarded_segmentation.hpp"
 #include "needed_resolution.hpp"

@@ -30,20 +30,9 @@ struct Run {
   bool still = false;             ///< data sets are sequences of frames of a still scene
 };
 
-/// The commit the program was built from, with a checksum of what was changed since; the package's version when it was
-/// not built in a git checkout.
-std::string commit();
-
-/// Processor, memory, system and the versions of the libraries that matter.
-std::string describeMachine();
-
 Status saveRun(const std::string& report, const Run& run);
 
 /// kBadInput when the folder holds no report.
 Result<Run> loadRun(const std::string& report);
-
-/// Copies the results of report folders that were computed with --shard into `report`. kBadInput: they differ in
-/// commit, methods, settings or levels, a part is missing or given twice, or a scene is in two of them.
-Result<Run> mergeShards(const std::string& report, const std::vector<std::string>& shards);
 
 }  // namespace objectness::evaluation

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "grouping/box_cues.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-#include "grouping/group_parts.hpp"
 #include "grouping/pixel_kernel.hpp"
 
 namespace objectness {

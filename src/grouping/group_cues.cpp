@@ -6,8 +6,9 @@
 #include <utility>
 
 #include "common/parallel.hpp"
+#include "grouping/box_cues.hpp"
 #include "grouping/group_box.hpp"
-#include "grouping/group_parts.hpp"
+#include "grouping/link_cues.hpp"
 
 namespace objectness {
 namespace {

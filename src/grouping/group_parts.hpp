@@ -28,13 +28,4 @@ struct Members {
   std::vector<char> inside;
 };
 
-void addLinkCues(const GroupEvidence& evidence, const Members& group, GroupCues& cues);
-void addOutlineCues(const GroupEvidence& evidence, const Members& group, GroupCues& cues);
-// Boxes are in the table frame here, as the points are.
-void addBoxCues(const GroupParts& parts, const Members& group, const OrientedBox& box, GroupCues& cues);
-void addVolumeCues(const GroupParts& parts, const Members& group, const OrientedBox& box, GroupCues& cues);
-
-/// ln(p / (1 - p)), with p kept off certainty.
-float logOdds(float probability);
-
 }  // namespace objectness

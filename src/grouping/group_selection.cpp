@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "grouping/group_parts.hpp"
+#include "grouping/links.hpp"
 
 namespace objectness {
 namespace {

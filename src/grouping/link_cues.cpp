@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "grouping/link_cues.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
-#include "grouping/group_parts.hpp"
+#include "scene/disjoint_sets.hpp"
 
 namespace objectness {
 namespace {
@@ -13,28 +14,17 @@ float bottleneck(std::vector<const Link*> links, std::size_t pieces, std::size_t
   std::sort(links.begin(), links.end(), [](const Link* a, const Link* b) {
     return a->probability != b->probability ? a->probability > b->probability : a < b;
   });
-  std::vector<int> root(all_pieces);
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](int x) {
-    while (root[x] != x) x = root[x] = root[root[x]];
-    return x;
-  };
+  DisjointSets sets(static_cast<int>(all_pieces));
   std::size_t joined = 1;
   for (const Link* link : links) {
-    const int a = find(link->first), b = find(link->second);
-    if (a == b) continue;
-    root[a] = b;
+    if (sets.root(link->first) == sets.root(link->second)) continue;
+    sets.join(link->first, link->second);
     if (++joined == pieces) return link->probability;
   }
   return pieces == 1 ? 1 : 0;
 }
 
 }  // namespace
-
-float logOdds(float probability) {
-  const float p = std::clamp(probability, 0.02f, 0.98f);
-  return std::log(p / (1 - p));
-}
 
 void addLinkCues(const GroupEvidence& evidence, const Members& group, GroupCues& cues) {
   std::vector<const Link*> within;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "grouping/links.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "common/parallel.hpp"
 #include "grouping/ball.hpp"
 #include "objectness_segmentation/learning/cue_list.hpp"
@@ -64,6 +67,11 @@ std::vector<Link> judgePairs(const std::vector<PairEvidence>& evidence, const Bo
     }
   });
   return links;
+}
+
+float logOdds(float probability) {
+  const float p = std::clamp(probability, 0.02f, 0.98f);
+  return std::log(p / (1 - p));
 }
 
 }  // namespace objectness

@@ -39,4 +39,7 @@ std::vector<PairEvidence> findPairEvidence(const Frame& frame, const Normals& no
 std::vector<Link> judgePairs(const std::vector<PairEvidence>& evidence, const Borders& borders,
                              const LearnedObjectness& model, int threads = 1);
 
+/// ln(p / (1 - p)), with p kept off certainty.
+float logOdds(float probability);
+
 }  // namespace objectness

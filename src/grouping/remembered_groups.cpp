@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "grouping/group_parts.hpp"
+#include "grouping/links.hpp"
 
 namespace objectness {
 namespace {

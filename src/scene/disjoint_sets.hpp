@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 namespace objectness {
@@ -9,6 +10,10 @@ namespace objectness {
 /// Labels 0, 1, ... that turn out to be the same; the root of a set is its smallest label.
 class DisjointSets {
  public:
+  DisjointSets() = default;
+  /// 0..size-1, each a set of its own.
+  explicit DisjointSets(int size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0); }
+
   int create() {
     parent_.push_back(static_cast<int>(parent_.size()));
     return parent_.back();

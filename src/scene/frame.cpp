@@ -10,6 +10,7 @@
 #include "scene/frame_axes.hpp"
 #include "scene/lens.hpp"
 #include "scene/organize.hpp"
+#include "scene/recover_camera.hpp"
 
 namespace objectness {
 namespace {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "scene/hollow_floors.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <set>
 
 #include "scene/connected_components_2d.hpp"
-#include "scene/table_clusters.hpp"
 
 namespace objectness {
 namespace {

@@ -6,6 +6,7 @@
 #include "common/parallel.hpp"
 #include "scene/containers.hpp"
 #include "scene/height_map.hpp"
+#include "scene/hollow_floors.hpp"
 #include "scene/low_things.hpp"
 #include "scene/table_clusters.hpp"
 #include "scene/wall_patches.hpp"

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "scene/recover_camera.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <vector>
 
-#include "objectness_segmentation/scene/frame.hpp"
 #include "scene/frame_axes.hpp"
 #include "scene/moved_view.hpp"
 

@@ -16,9 +16,4 @@ struct TableClusters {
 TableClusters findTableClusters(const Frame& frame, const Table& table, const HeightMap& map,
                                 const ObjectPointsConfig& config, const cv::Mat_<uchar>& mask, int threads = 1);
 
-/// Adds the floors of hollow things to the mask: pixels at table height that one thing encloses, in the image and on
-/// the table, and that lie a little higher than the table around the thing.
-void addHollowFloors(const Frame& frame, const Table& table, const HeightMap& map, const TableClusters& clusters,
-                     cv::Mat_<uchar>& mask);
-
 }  // namespace objectness

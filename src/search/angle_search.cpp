@@ -9,7 +9,8 @@
 #include "common/parallel.hpp"
 #include "integral/cue_volumes.hpp"
 #include "integral/voxelizer.hpp"
-#include "search/search.hpp"
+#include "search/bounded_search.hpp"
+#include "search/ranking.hpp"
 
 namespace objectness {
 namespace {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "search/bounded_search.hpp"
+
 #include <algorithm>
 #include <numeric>
 
 #include "search/footprint_scorer.hpp"
 #include "search/node_bound.hpp"
-#include "search/search.hpp"
+#include "search/ranking.hpp"
+#include "search/scan_search.hpp"
 
 namespace objectness {
 namespace {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "search/ranking.hpp"
+
 #include <algorithm>
 #include <cstring>
 #include <functional>
 #include <utility>
 
 #include "common/parallel.hpp"
-#include "search/search.hpp"
 
 namespace objectness {
 namespace {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "search/scan_search.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "search/column_table.hpp"
+#include "search/ranking.hpp"
 #include "search/scan_kernel.hpp"
-#include "search/search.hpp"
 
 namespace objectness {
 namespace {

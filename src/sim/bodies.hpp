@@ -5,6 +5,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "sim/intersect.hpp"
 #include "sim/shapes.hpp"
 
 namespace objectness::sim {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "sim/intersect.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "sim/shapes.hpp"
 
 namespace objectness::sim {
 namespace {

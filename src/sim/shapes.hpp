@@ -51,10 +51,6 @@ struct Tube {
 
 using Shape = std::variant<Box, Revolution, Tube>;
 
-/// The first point of the shape's surface on the ray, in the shape's own frame. Exact: every surface is a plane, a
-/// sphere, a cylinder or a cone, so that t is the root of a linear or quadratic equation.
-std::optional<Hit> intersect(const Shape& shape, const Ray& ray);
-
 /// Whether a point of the shape's own frame lies in its solid.
 bool inside(const Shape& shape, const Eigen::Vector3d& point);
 

@@ -45,7 +45,4 @@ SimulatedFrame simulateFrame(const Scene& scene, const Eigen::Isometry3d& T_worl
 /// A seed of its own for the noise of every frame of every scene.
 std::uint32_t noiseSeed(std::uint32_t seed, std::uint32_t index, int frame);
 
-/// Writes a scene folder with objects.yaml (the truth) and pose.yaml (T_world_camera) in it.
-Status saveSimulatedFrame(const std::string& folder, const SimulatedFrame& frame);
-
 }  // namespace objectness::sim

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "sim/truth_file.hpp"
+
 #include <yaml-cpp/yaml.h>
 
 #include <filesystem>
 
 #include "io/file_access.hpp"
-#include "sim/simulated_frame.hpp"
 
 namespace objectness::sim {
 namespace {

@@ -9,6 +9,7 @@
 #include "sim/demo_scene.hpp"
 #include "sim/scene_generator.hpp"
 #include "sim/simulated_frame.hpp"
+#include "sim/truth_file.hpp"
 #include "tools/make_scene_options.hpp"
 #include "tools/scene_bag.hpp"
 #include "tools/tool_message.hpp"

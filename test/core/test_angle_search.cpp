@@ -13,6 +13,7 @@
 #include "reference/plain_search.hpp"
 #include "reference/plain_voxels.hpp"
 #include "search/angle_search.hpp"
+#include "search/ranking.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

@@ -3,6 +3,7 @@
 
 #include "fixtures/ray_cast.hpp"
 #include "objectness_segmentation/scene/frame.hpp"
+#include "scene/recover_camera.hpp"
 
 using namespace objectness;
 using namespace objectness_test;

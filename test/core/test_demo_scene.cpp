@@ -5,6 +5,7 @@
 
 #include "fixtures/demo_images.hpp"
 #include "objectness_segmentation/pipeline.hpp"
+#include "sim/intersect.hpp"
 
 using namespace objectness;
 using namespace objectness::sim;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "cues/crease.hpp"
-#include "cues/edge_detectors.hpp"
+#include "cues/depth_edges.hpp"
 #include "fixtures/random_frame.hpp"
 
 using namespace objectness;

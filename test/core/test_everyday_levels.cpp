@@ -10,6 +10,7 @@
 #include "common/true_labels.hpp"
 #include "fixtures/generated_scene.hpp"
 #include "fixtures/surface_points.hpp"
+#include "sim/intersect.hpp"
 #include "sim/lenses.hpp"
 #include "sim/simulated_frame.hpp"
 

@@ -7,6 +7,9 @@
 
 #include "fixtures/random_volumes.hpp"
 #include "reference/plain_search.hpp"
+#include "search/bounded_search.hpp"
+#include "search/ranking.hpp"
+#include "search/scan_search.hpp"
 
 using namespace objectness;
 using objectness_test::Dice;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/bodies.hpp"
+#include "sim/intersect.hpp"
 #include "sim/profiles.hpp"
 #include "sim/random.hpp"
 

@@ -8,6 +8,7 @@
 #include "fixtures/temporary_folder.hpp"
 #include "sim/scene_generator.hpp"
 #include "sim/simulated_frame.hpp"
+#include "sim/truth_file.hpp"
 
 using namespace objectness;
 using namespace objectness::sim;

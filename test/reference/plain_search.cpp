@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "search/ranking.hpp"
+
 namespace objectness {
 
 SearchResult searchPlain(const CueVolumes& volumes, int angle, const SearchTask& task) {

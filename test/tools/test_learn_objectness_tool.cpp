@@ -10,6 +10,7 @@
 #include "objectness_segmentation/pipeline.hpp"
 #include "sim/scene_generator.hpp"
 #include "sim/simulated_frame.hpp"
+#include "sim/truth_file.hpp"
 
 using namespace objectness_test;
 namespace sim = objectness::sim;

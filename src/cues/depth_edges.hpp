@@ -11,7 +11,4 @@ namespace objectness {
 cv::Mat_<uchar> findDepthEdges(const Frame& frame, const Normals& normals, const DepthNoise& noise,
                                const EdgesConfig& config, int threads = 1, cv::Point first = {0, 0});
 
-/// The four kinds of edges of the whole image as pcl::OrganizedEdgeFromNormals finds them.
-cv::Mat_<uchar> findPclEdges(const Frame& frame, const Normals& normals);
-
 }  // namespace objectness

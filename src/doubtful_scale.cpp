@@ -6,6 +6,8 @@
 #include <sstream>
 #include <vector>
 
+#include "common/upper_median.hpp"
+
 namespace objectness {
 namespace {
 
@@ -24,9 +26,7 @@ double medianDepth(const Frame& frame, const Wanted& wanted) {
     if (wanted(i) && std::isfinite(frame.points[i].z())) depths.push_back(frame.points[i].z());
   }
   if (depths.empty()) return std::nan("");
-  const auto middle = depths.begin() + depths.size() / 2;
-  std::nth_element(depths.begin(), middle, depths.end());
-  return *middle;
+  return upperMedian(depths);
 }
 
 }  // namespace

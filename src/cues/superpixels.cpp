@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/row_bands.hpp"
+#include "common/upper_median.hpp"
 #include "cues/cue_steps.hpp"
 #include "cues/watershed.hpp"
 #include "scene/sampled_values.hpp"
@@ -27,9 +28,7 @@ double tableMedian(const Frame& frame, const Normals& normals, const ObjectPoint
     if (object_points.on_table(i) && normals.radius_px[i] > 0) lengths.push_back(length_m(i) / (z * z));
   });
   if (all.empty()) return 0;
-  const auto middle = all.begin() + all.size() / 2;
-  std::nth_element(all.begin(), middle, all.end());
-  return *middle;
+  return upperMedian(all);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <queue>
 #include <tuple>
 
-#include "scene/disjoint_sets.hpp"
+#include "common/disjoint_sets.hpp"
 
 namespace objectness::evaluation {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/disjoint_sets.hpp"
+#include "common/disjoint_sets.hpp"
 
 namespace objectness {
 namespace {

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "scene/disjoint_sets.hpp"
+#include "common/disjoint_sets.hpp"
 
 namespace objectness {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "common/disjoint_sets.hpp"
 #include "common/share_below.hpp"
-#include "scene/disjoint_sets.hpp"
 
 namespace objectness {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "scene/disjoint_sets.hpp"
+#include "common/disjoint_sets.hpp"
 
 namespace objectness {
 namespace {

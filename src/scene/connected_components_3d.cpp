@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "common/disjoint_sets.hpp"
 #include "common/row_bands.hpp"
-#include "scene/disjoint_sets.hpp"
 
 namespace objectness {
 namespace {

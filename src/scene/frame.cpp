@@ -6,6 +6,7 @@
 #include <limits>
 #include <sstream>
 
+#include "common/upper_median.hpp"
 #include "scene/bridged_gaps.hpp"
 #include "scene/frame_axes.hpp"
 #include "scene/lens.hpp"
@@ -77,11 +78,10 @@ Status checkCameraFits(const RawCloud& cloud, const PinholeCamera& camera) {
     const std::string other_frame = otherFrameOf(cloud);
     return other_frame.empty() ? Status() : Status::error(StatusCode::kBadCamera, other_frame);
   }
-  const auto median = mismatch.begin() + mismatch.size() / 2;
-  std::nth_element(mismatch.begin(), median, mismatch.end());
-  if (*median <= kMaxMedianMismatchPx) return {};
+  const double median = upperMedian(mismatch);
+  if (median <= kMaxMedianMismatchPx) return {};
   std::ostringstream why;
-  why << "the camera is not the one that took the cloud: points project " << *median
+  why << "the camera is not the one that took the cloud: points project " << median
       << " px (median) from their own pixels; ";
   const Result<PinholeCamera> own = recoverCamera(cloud);
   why << (own.ok() ? "leave the camera out to recover it from the grid" : own.status.message);

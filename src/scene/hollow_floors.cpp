@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <set>
 
+#include "common/upper_median.hpp"
 #include "scene/connected_components_2d.hpp"
 
 namespace objectness {
@@ -53,12 +54,6 @@ cv::Mat_<uchar> convexHullRaster(const std::vector<cv::Point>& cells, const cv::
   cv::Mat_<uchar> raster(size, uchar(0));
   cv::fillConvexPoly(raster, hull, cv::Scalar(255));
   return raster;
-}
-
-double median(std::vector<float>& values) {
-  const auto middle = values.begin() + values.size() / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// Height of the highest point of each thing.
@@ -159,7 +154,7 @@ double tableAround(const cv::Rect& region, int reach_px, const HeightMap& map, c
       heights.push_back(h);
     }
   }
-  return heights.size() < static_cast<std::size_t>(kMinAroundPixels) ? std::nan("") : median(heights);
+  return heights.size() < static_cast<std::size_t>(kMinAroundPixels) ? std::nan("") : upperMedian(heights);
 }
 
 }  // namespace
@@ -205,7 +200,7 @@ void addHollowFloors(const Frame& frame, const Table& table, const HeightMap& ma
     }
     if (floor.size() < static_cast<std::size_t>(kMinFloorPixels)) continue;
     const int reach_px = static_cast<int>(std::ceil(kAroundM * frame.camera.focal() * floor.size() / depth));
-    if (median(heights) < tableAround(region.box, reach_px, map, clusters) + kFloorThicknessM) continue;
+    if (upperMedian(heights) < tableAround(region.box, reach_px, map, clusters) + kFloorThicknessM) continue;
     for (const cv::Point& pixel : floor) mask(pixel) = 255;
   }
 }

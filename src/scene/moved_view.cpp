@@ -7,6 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "common/upper_median.hpp"
+
 namespace objectness {
 namespace {
 
@@ -86,11 +88,10 @@ bool isMovedView(const RawCloud& cloud) {
     const double residual = side * (seen.head<2>() / seen.z() - sample.pixel).norm();
     residuals.push_back(std::isfinite(residual) ? residual : std::numeric_limits<double>::max());
   }
-  const auto median = residuals.begin() + residuals.size() / 2;
-  std::nth_element(residuals.begin(), median, residuals.end());
+  const double median = upperMedian(residuals);
   // The sign of the projection is open; a camera has all it sees on one side of it.
   const auto count = static_cast<int>(samples.size());
-  return *median <= kMaxMedianResidualPx && (in_front == 0 || in_front == count);
+  return median <= kMaxMedianResidualPx && (in_front == 0 || in_front == count);
 }
 
 }  // namespace objectness

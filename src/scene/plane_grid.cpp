@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/parallel.hpp"
+#include "common/upper_median.hpp"
 
 namespace objectness {
 namespace {
@@ -67,8 +68,7 @@ void lay(const std::vector<std::vector<Eigen::Vector2f>>& on_plane, int threads,
     for (const auto& points : on_plane) {
       for (const auto& p : points) values.push_back(p[axis]);
     }
-    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-    return values[values.size() / 2];
+    return upperMedian(values);
   };
   Eigen::Vector2d middle;
   parallelFor(2, threads, [&](int axis) { middle[axis] = middleOf(axis); });

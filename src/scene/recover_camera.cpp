@@ -6,6 +6,7 @@
 #include <sstream>
 #include <vector>
 
+#include "common/upper_median.hpp"
 #include "scene/frame_axes.hpp"
 #include "scene/moved_view.hpp"
 
@@ -75,9 +76,7 @@ GridFit fitGrid(const RawCloud& cloud, const Eigen::Matrix3f& rotation) {
       if (usable(p)) residuals.push_back((camera.project(p.cast<double>()) - Eigen::Vector2d(u, v)).norm());
     }
   }
-  const auto median = residuals.begin() + residuals.size() / 2;
-  std::nth_element(residuals.begin(), median, residuals.end());
-  fit.residual_px = *median;
+  fit.residual_px = upperMedian(residuals);
   return fit;
 }
 

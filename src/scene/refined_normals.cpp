@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/upper_median.hpp"
 #include "scene/plane_grid.hpp"
 #include "scene/sampled_values.hpp"
 
@@ -29,9 +30,7 @@ double tableNormalError(const Frame& frame, const Normals& normals, const Table&
     if (table.extent.at(foot.x(), foot.y()) == kCore) values.push_back(normals.normal[i].dot(up));
   });
   if (cosines.size() < kMinSamples) return 0;
-  const auto middle = cosines.begin() + cosines.size() / 2;
-  std::nth_element(cosines.begin(), middle, cosines.end());
-  return std::acos(std::clamp(*middle, -1.f, 1.f)) * 180 / M_PI;
+  return std::acos(std::clamp(upperMedian(cosines), -1.f, 1.f)) * 180 / M_PI;
 }
 
 Normals refineNormals(const Frame& frame, Normals normals, const Table& table, const NormalsConfig& config,

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "common/row_bands.hpp"
+#include "common/upper_median.hpp"
 
 namespace objectness {
 namespace {
@@ -63,9 +64,7 @@ int averagedPixels(const Frame& frame, const ResolutionConfig& config) {
     if (frame.points[i].z() > 0) depths.push_back(frame.points[i].z());
   }
   if (depths.empty()) return 1;
-  const auto middle = depths.begin() + depths.size() / 2;
-  std::nth_element(depths.begin(), middle, depths.end());
-  const double pixel_m = *middle / frame.camera.focal();
+  const double pixel_m = upperMedian(depths) / frame.camera.focal();
   if (pixel_m >= config.finest_pixel_m) return 1;
   const double widest = frame.width() / static_cast<double>(config.min_width_px);
   return std::max(1, static_cast<int>(std::min(2 * config.finest_pixel_m / pixel_m, widest)));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "common/upper_median.hpp"
 #include "scene/connected_components_3d.hpp"
 
 namespace objectness {
@@ -113,10 +114,7 @@ TableEvidence judgeTable(const SurfaceSamples& view, const Plane& plane, const S
     }
   }
   evidence.below = double(below) / std::max(1, grid.samples_on_plane);
-  if (!depths.empty()) {
-    std::nth_element(depths.begin(), depths.begin() + depths.size() / 2, depths.end());
-    evidence.distance_m = depths[depths.size() / 2];
-  }
+  if (!depths.empty()) evidence.distance_m = upperMedian(depths);
 
   // What stands on the plane goes on little beyond it; the walls of a bin do.
   int parts = 0;

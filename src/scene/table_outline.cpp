@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
+#include "common/upper_median.hpp"
 #include "scene/outline_polygon.hpp"
 #include "scene/plane_grid.hpp"
 #include "scene/projector_shadow.hpp"
@@ -147,8 +148,7 @@ void removeOutliers(std::vector<std::optional<Edge>>& edges) {
       const auto& edge = all[(i + all.size() + k - kNeighbours) % all.size()];
       if (edge) near.push_back(edge->at);
     }
-    std::nth_element(near.begin(), near.begin() + near.size() / 2, near.end());
-    if (near.size() <= kNeighbours / 2 || std::abs(all[i]->at - near[near.size() / 2]) > kMaxOutlierM) edges[i].reset();
+    if (near.size() <= kNeighbours / 2 || std::abs(all[i]->at - upperMedian(near)) > kMaxOutlierM) edges[i].reset();
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "common/upper_median.hpp"
 #include "scene/frame_axes.hpp"
 
 namespace objectness {
@@ -48,12 +49,6 @@ double roundingStep(const std::vector<Eigen::Vector3f>& points) {
   return 0;
 }
 
-float medianOf(std::vector<float>& values) {
-  const auto middle = values.begin() + values.size() / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// The share of a list's points that lie near the nearest pixel's centre, as near as `radius` says.
 double shareOnPixels(const std::vector<Eigen::Vector3f>& points, const PinholeCamera& camera,
                      const Eigen::Matrix3f& rotation) {
@@ -93,7 +88,7 @@ class View {
     }
     std::vector<Eigen::Vector2f> common(blocks, Eigen::Vector2f::Zero());
     for (int block = 0; block < blocks; ++block) {
-      if (!xs[block].empty()) common[block] = {medianOf(xs[block]), medianOf(ys[block])};
+      if (!xs[block].empty()) common[block] = {upperMedian(xs[block]), upperMedian(ys[block])};
     }
     const auto on_centre = std::count_if(seen_.begin(), seen_.end(), [&](const Seen& seen) {
       return (seen.offset - common[seen.block]).cwiseAbs().maxCoeff() <= seen.tolerance;

@@ -6,24 +6,21 @@
 #include <numeric>
 #include <random>
 
+#include "common/disjoint_sets.hpp"
+
 namespace objectness {
 namespace {
 
 /// Sets that share elements, directly or by way of others, are one part: parts can be solved one by one.
 std::vector<std::vector<int>> connectedParts(const PackingProblem& problem) {
-  std::vector<int> root(problem.elements);
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](int x) {
-    while (root[x] != x) x = root[x] = root[root[x]];
-    return x;
-  };
+  DisjointSets sharing(problem.elements);
   for (std::size_t k = 0; k < problem.sets.size(); ++k) {
     if (problem.values[k] <= 0) continue;
-    for (const int e : problem.sets[k]) root[find(e)] = find(problem.sets[k].front());
+    for (const int e : problem.sets[k]) sharing.join(e, problem.sets[k].front());
   }
   std::vector<std::vector<int>> parts(problem.elements);
   for (std::size_t k = 0; k < problem.sets.size(); ++k) {
-    if (problem.values[k] > 0) parts[find(problem.sets[k].front())].push_back(static_cast<int>(k));
+    if (problem.values[k] > 0) parts[sharing.root(problem.sets[k].front())].push_back(static_cast<int>(k));
   }
   parts.erase(std::remove_if(parts.begin(), parts.end(), [](const auto& part) { return part.empty(); }), parts.end());
   return parts;

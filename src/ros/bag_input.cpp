@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "ros/read_message.hpp"
 #include "ros/recorded_cameras.hpp"
 #include "ros/recorded_colors.hpp"
+#include "ros/recorded_image.hpp"
 
 namespace objectness_segmentation {
 namespace {
@@ -86,7 +86,7 @@ Status BagInput::forEachFrame(bool approximate, const Visit& visit) const {
     for (const rosbag::MessageInstance& entry : frames) {
       InputMessages messages;
       if (topics_.ofDepth()) {
-        messages.depth = readMessage<sensor_msgs::Image>(entry);
+        messages.depth = readImage(entry);
         messages.color = colors.find(messages.depth->header.stamp, entry.getTime());
       } else {
         messages.cloud = readMessage<sensor_msgs::PointCloud2>(entry);

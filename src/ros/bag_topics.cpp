@@ -3,6 +3,7 @@
 
 #include <rosbag/view.h>
 #include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <sensor_msgs/image_encodings.h>
@@ -11,6 +12,8 @@
 #include <map>
 #include <tuple>
 #include <vector>
+
+#include "ros/recorded_image.hpp"
 
 namespace objectness_segmentation {
 namespace {
@@ -75,6 +78,22 @@ class TopicChooser {
     return found;
   }
 
+  /// Topics of images, raw or compressed. As image_transport has it, the name of the raw topic stands for the
+  /// compressed one, where only that was recorded.
+  Result<Names> findImages(const std::string& wanted) const {
+    Result<Names> raw = find<sensor_msgs::Image>(wanted), found = raw;
+    for (const char* transport : {"", "/compressedDepth", "/compressed"}) {
+      if (wanted.empty() && *transport) break;
+      const Result<Names> compressed = find<sensor_msgs::CompressedImage>(wanted.empty() ? wanted : wanted + transport);
+      if (compressed.ok()) found.value.insert(found.value.end(), compressed.value.begin(), compressed.value.end());
+    }
+    if (!found.value.empty()) found.status = {};
+    return found;
+  }
+  bool isRaw(const std::string& topic) const {
+    return topics_.at(topic).type == ros::message_traits::datatype<sensor_msgs::Image>();
+  }
+
   std::string describe() const {
     std::string text;
     for (const auto& [name, topic] : topics_) {
@@ -87,6 +106,15 @@ class TopicChooser {
   boost::shared_ptr<const Message> firstOf(const std::string& topic) const {
     rosbag::View messages(bag_, rosbag::TopicQuery(topic));
     return messages.begin()->instantiate<Message>();
+  }
+  /// Null: of another version, or it cannot be decoded.
+  sensor_msgs::ImageConstPtr firstImage(const std::string& topic) const {
+    rosbag::View messages(bag_, rosbag::TopicQuery(topic));
+    try {
+      return readImage(*messages.begin());
+    } catch (const rosbag::BagFormatException&) {
+      return nullptr;
+    }
   }
   bool isOrganized(const std::string& topic) const {
     const auto first = firstOf<sensor_msgs::PointCloud2>(topic);
@@ -119,19 +147,24 @@ class TopicChooser {
   }
 
   Choice ofDepth(const InputTopics& wanted, const Result<Names>& cameras) const {
-    const Result<Names> depths = find<sensor_msgs::Image>(wanted.depth),
-                        colors = find<sensor_msgs::Image>(wanted.color);
+    const Result<Names> depths = findImages(wanted.depth), colors = findImages(wanted.color);
     if (!depths.ok()) return Choice::error(depths.status);
     if (!colors.ok()) return Choice::error(colors.status);
     const Names candidates = wanted.depth.empty() ? depthAmong(depths.value, wanted.color) : depths.value;
-    if (candidates.empty()) return bad("holds no sensor_msgs/Image of 16UC1 or 32FC1 on any topic, but " + describe());
+    if (candidates.empty() || !wanted.depth.empty()) {
+      const std::string problem = undecodedAmong(depths.value);
+      if (!problem.empty()) return bad(problem);
+    }
+    if (candidates.empty()) {
+      return bad("holds no sensor_msgs/Image of 16UC1 or 32FC1, compressed or not, on any topic, but " + describe());
+    }
     if (!cameras.ok()) return bad("depth images need a camera_info, and the bag " + cameras.status.message);
     std::map<std::string, std::string> color_of;
     for (const std::string& depth : candidates) {
-      color_of[depth] = wanted.color.empty() ? pictureOf(depth, colors.value) : wanted.color;
+      color_of[depth] = wanted.color.empty() ? pictureOf(depth, colors.value) : colors.value.front();
     }
     const auto rank = [&](const std::string& name) {
-      return std::make_tuple(contains(name, "depth"), !color_of[name].empty(), contains(name, "rect"),
+      return std::make_tuple(contains(name, "depth"), !color_of[name].empty(), contains(name, "rect"), isRaw(name),
                              topics_.at(name).messages);
     };
     InputTopics topics;
@@ -143,8 +176,8 @@ class TopicChooser {
 
   /// What is taken where there are no organized clouds and nothing is asked for.
   Choice anyOther(const Result<Names>& cameras, const Choice& otherwise) const {
-    const Result<Names> images = find<sensor_msgs::Image>(""), clouds = find<sensor_msgs::PointCloud2>("");
-    if (!depthAmong(images.value, "").empty()) return ofDepth({}, cameras);
+    const Result<Names> images = findImages(""), clouds = find<sensor_msgs::PointCloud2>("");
+    if (!depthAmong(images.value, "").empty() || !undecodedAmong(images.value).empty()) return ofDepth({}, cameras);
     if (!clouds.ok() || !cameras.ok()) return otherwise;
     InputTopics topics;
     topics.points = most(clouds.value);
@@ -156,21 +189,34 @@ class TopicChooser {
     images.erase(std::remove_if(images.begin(), images.end(), is_other), images.end());
     return images;
   }
+  /// Why a compressed depth image cannot be read; empty: there is none such.
+  std::string undecodedAmong(const Names& images) const {
+    for (const std::string& name : images) {
+      const auto first = firstOf<sensor_msgs::CompressedImage>(name);
+      if (!first || !isCompressedDepth(*first)) continue;
+      const auto decoded = decodeDepth(*first);
+      if (!decoded.ok()) return name + " " + decoded.status.message;
+    }
+    return {};
+  }
   bool isDepth(const std::string& topic) const {
-    const auto first = firstOf<sensor_msgs::Image>(topic);
+    const auto first = firstImage(topic);
     return first && (first->encoding == encodings::TYPE_16UC1 || first->encoding == encodings::TYPE_32FC1);
   }
   /// The one that is registered to the depth images; empty: there is none.
   std::string pictureOf(const std::string& depth, const Names& images) const {
-    const auto image = firstOf<sensor_msgs::Image>(depth);
+    const auto image = firstImage(depth);
     Names found;
     for (const std::string& name : images) {
-      const auto color = firstOf<sensor_msgs::Image>(name);
+      const auto color = firstImage(name);
       if (image && color && name != depth && encodings::isColor(color->encoding) && color->width == image->width &&
           color->height == image->height && color->header.frame_id == image->header.frame_id) {
         found.push_back(name);
       }
     }
+    const auto compressed =
+        std::stable_partition(found.begin(), found.end(), [&](const std::string& name) { return isRaw(name); });
+    if (compressed != found.begin()) found.erase(compressed, found.end());
     return found.empty() ? std::string() : most(found);
   }
 

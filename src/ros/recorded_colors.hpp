@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ros/nearest_color.hpp"
-#include "ros/read_message.hpp"
+#include "ros/recorded_image.hpp"
 
 namespace objectness_segmentation {
 
@@ -30,7 +30,7 @@ class RecordedColors {
     while (next_ < entries_.size() && entries_[next_].getTime().toSec() <= recorded_s + kDelay_s) {
       const rosbag::MessageInstance& entry = entries_[next_++];
       const double time_s = entry.getTime().toSec();
-      if (time_s >= recorded_s - kDelay_s) near_.push_back({time_s, readMessage<sensor_msgs::Image>(entry)});
+      if (time_s >= recorded_s - kDelay_s) near_.push_back({time_s, readImage(entry)});
     }
     while (!near_.empty() && near_.front().recorded_s < recorded_s - kDelay_s) near_.pop_front();
     NearestColor nearest(stamp);

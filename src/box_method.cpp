@@ -2,6 +2,7 @@
 #include "box_method.hpp"
 
 #include "search/angle_search.hpp"
+#include "segments/segments.hpp"
 #include "selection/hypotheses.hpp"
 
 namespace objectness {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "evaluation/commit.hpp"
 #include "evaluation/processes.hpp"
 #include "evaluation/run.hpp"
 #include "evaluation/scene_job.hpp"

@@ -17,7 +17,7 @@ class BagOutput {
  public:
   /// Replaces a file of that name.
   explicit BagOutput(const std::string& path);
-  ~BagOutput() { close(); }
+  ~BagOutput() { static_cast<void>(close()); }
 
   const objectness::Status& status() const { return status_; }
 

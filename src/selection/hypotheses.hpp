@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "integral/grid.hpp"
+#include "objectness_segmentation/objectness/box.hpp"
 #include "objectness_segmentation/selection/selection_config.hpp"
 #include "selection/bit_selection.hpp"
 

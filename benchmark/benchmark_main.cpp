@@ -5,7 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "common/frame_memory.hpp"
-#include "evaluation/run.hpp"
+#include "evaluation/commit.hpp"
+#include "evaluation/machine.hpp"
 #include "options.hpp"
 #include "progress_reporter.hpp"
 #include "registration.hpp"

@@ -1,99 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-#include <sensor_msgs/point_cloud2_iterator.h>
-
-#include "fixtures/bag_files.hpp"
-#include "fixtures/compressed_messages.hpp"
-#include "fixtures/ros_messages.hpp"
-#include "fixtures/small_scene.hpp"
-#include "fixtures/temporary_folder.hpp"
-#include "objectness_segmentation/ros/output_conversions.hpp"
-#include "objectness_segmentation/ros/topics.hpp"
-#include "ros/compressed_images.hpp"
-#include "ros/scene_bag_writer.hpp"
-#include "ros/scene_messages.hpp"
-#include "ros/segment_bag.hpp"
+#include "segment_bag_fixture.hpp"
 
 namespace {
 
 using namespace objectness_segmentation;
 using namespace objectness_test;
 using objectness::StatusCode;
-
-class SegmentBag : public testing::Test {
- protected:
-  SegmentBag() { settings_.config.search.angle_step_deg = 30; }
-
-  void writeScenes(int frames) const {
-    SceneBagSettings settings;
-    settings.sensor = smallSensor();
-    settings.frames = frames;
-    ASSERT_TRUE(writeSceneBag(in_, smallScene(), settings).ok());
-  }
-
-  /// Clouds of a flat nothing and their cameras at these stamps.
-  void writePlain(const std::vector<double>& clouds, const std::vector<double>& cameras) const {
-    rosbag::Bag bag(in_, rosbag::bagmode::Write);
-    for (const double stamp : clouds) writeCloud(bag, recorded_, makeHeader(stamp));
-    for (std::size_t i = 0; i < cameras.size(); ++i) {
-      writeCamera(bag, recorded_, makeHeader(cameras[i]), static_cast<int>(i));
-    }
-  }
-  static void writeCloud(rosbag::Bag& bag, const ros::Time& recorded, const std_msgs::Header& header) {
-    bag.write("points", recorded, toCloudMessage(makeSmallFrame(), header));
-  }
-  static void writeCamera(rosbag::Bag& bag, const ros::Time& recorded, const std_msgs::Header& header, int number) {
-    objectness::PinholeCamera camera = makeSmallFrame().camera;
-    camera.fx += number;  // to tell them apart
-    bag.write("camera_info", recorded, toCameraInfo(camera, header));
-  }
-
-  /// Index of the camera_info that each cloud gets, -1 for none.
-  std::vector<int> pairs(bool approximate) const {
-    const auto input = BagInput::open(in_, {});
-    EXPECT_TRUE(input.ok()) << input.status.message;
-    std::vector<int> cameras;
-    const auto status = input.value->forEachFrame(approximate, [&](const InputMessages& messages, const ros::Time&) {
-      const auto& camera = messages.camera_info;
-      cameras.push_back(camera ? static_cast<int>(camera->K[0] - makeSmallFrame().camera.fx) : -1);
-      return true;
-    });
-    EXPECT_TRUE(status.ok()) << status.message;
-    return cameras;
-  }
-
-  SegmentBagReport segment(const std::string& out) {
-    const auto input = BagInput::open(in_, {});
-    EXPECT_TRUE(input.ok()) << input.status.message;
-    BagOutput output(out);
-    frames_.clear();
-    const auto report =
-        segmentBag(*input.value, settings_, output, [this](const BagFrame& frame) { frames_.push_back(frame); });
-    EXPECT_TRUE(output.close().ok());
-    return report;
-  }
-
-  /// In metres.
-  static sensor_msgs::Image depthOf(const sensor_msgs::PointCloud2& cloud) {
-    sensor_msgs::Image image;
-    image.header = cloud.header;
-    image.width = cloud.width;
-    image.height = cloud.height;
-    image.encoding = "32FC1";
-    image.step = 4 * image.width;
-    for (sensor_msgs::PointCloud2ConstIterator<float> z(cloud, "z"); z != z.end(); ++z) {
-      const auto* bytes = reinterpret_cast<const std::uint8_t*>(&*z);
-      image.data.insert(image.data.end(), bytes, bytes + 4);
-    }
-    return image;
-  }
-
-  TemporaryFolder folder_;
-  std::string in_ = folder_ / "in.bag", out_ = folder_ / "out.bag";
-  const ros::Time recorded_{77};
-  SegmentBagSettings settings_;
-  std::vector<BagFrame> frames_;
-};
 
 TEST_F(SegmentBag, WritesWhatTheNodeletPublishes) {
   writeScenes(2);
@@ -209,59 +121,6 @@ TEST_F(SegmentBag, AnswersCloudsThatAreNotOrganized) {
   for (const BagFrame& frame : frames_) {
     EXPECT_TRUE(frame.status.ok()) << frame.status.message;
     EXPECT_EQ(frame.objects, 2u);
-  }
-}
-
-TEST_F(SegmentBag, AnswersCompressedDepthImagesLikeRawOnes) {
-  writeScenes(2);
-  const auto clouds = readAll<sensor_msgs::PointCloud2>(in_, bag_topics::kPoints);
-  const auto cameras = readAll<sensor_msgs::CameraInfo>(in_, bag_topics::kCameraInfo);
-  std::vector<InputMessages> messages;
-  {
-    rosbag::Bag bag(in_, rosbag::bagmode::Write);
-    for (std::size_t i = 0; i < clouds.size(); ++i) {
-      const ros::Time recorded = clouds[i]->header.stamp;
-      const sensor_msgs::CompressedImage depth = compressedDepth(depthOf(*clouds[i]));
-      sensor_msgs::CompressedImage color;
-      color.header = depth.header;
-      color.format = "bgr8; jpeg compressed bgr8";
-      cv::imencode(".jpg", cv::Mat(clouds[i]->height, clouds[i]->width, CV_8UC3, cv::Scalar(50, 60, 70)), color.data);
-      bag.write("camera/depth/compressedDepth", recorded, depth);
-      bag.write("camera/rgb/compressed", recorded, color);
-      bag.write("camera/depth/camera_info", recorded, *cameras[i]);
-      messages.push_back({nullptr, cameras[i], decodeDepth(depth).value, decodeColor(color).value});
-    }
-  }
-  const SegmentBagReport report = segment(out_);
-  EXPECT_TRUE(report.status.ok()) << report.status.message;
-  EXPECT_EQ(report.answered, 2u);
-  const auto objects = readAll<SegmentedObjectArray>(out_, "/segment_objects/objects");
-  ASSERT_EQ(objects.size(), 2u);
-  objectness::FrameSequence sequence(settings_.fuse_frames);
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    const SegmentedFrame expected = segmentNext(messages[i], settings_.config, {}, nullptr, {}, sequence);
-    EXPECT_EQ(expected.segmentation.segments.size(), 2u);
-    EXPECT_EQ(serialized(*objects[i]), serialized(toObjectsMessage(expected, messages[i].header())));
-  }
-  // As with image_transport, the name of the raw topic is enough.
-  const auto named = BagInput::open(in_, {"", "", "camera/depth", "camera/rgb"});
-  ASSERT_TRUE(named.ok()) << named.status.message;
-  EXPECT_EQ(named.value->topics().depth, "camera/depth/compressedDepth");
-  EXPECT_EQ(named.value->topics().color, "camera/rgb/compressed");
-}
-
-TEST_F(SegmentBag, NamesACompressionItCannotRead) {
-  {
-    rosbag::Bag bag(in_, rosbag::bagmode::Write);
-    sensor_msgs::CompressedImage depth;
-    depth.format = "16UC1; compressedDepth rvl";
-    bag.write("depth/compressedDepth", recorded_, depth);
-    writeCamera(bag, recorded_, makeHeader(1), 0);
-  }
-  for (const char* wanted : {"depth", ""}) {
-    const auto input = BagInput::open(in_, {"", "", wanted, ""});
-    EXPECT_EQ(input.status.code, StatusCode::kBadInput);
-    EXPECT_NE(input.status.message.find("record it as png or raw"), std::string::npos) << input.status.message;
   }
 }
 

@@ -8,6 +8,7 @@
 #include "common/parallel.hpp"
 #include "sim/random.hpp"
 #include "sim/stereo_matching.hpp"
+#include "sim/time_of_flight.hpp"
 
 namespace objectness::sim {
 namespace {
@@ -72,7 +73,12 @@ double measure(const DepthSensor& sensor, double z, double theta, double axial, 
   const double lost_share = std::clamp((theta - start) / (end - start), 0.0, 1.0);
   if (std::erfc(-loss / std::sqrt(2)) / 2 < lost_share) return 0;  // the share of Gaussian noise below `loss`
   // [N] measured sensors that round: what is added before rounding is less by the share of the rounding.
-  const double sigma = sensor.axialSigma(z, theta), step = sensor.depthStep(z);
+  const double sigma = sensor.axialSigma(z, theta);
+  if (sensor.kind == SensorKind::kTimeOfFlight) {
+    const double noisy = z + sigma * axial;
+    return noisy >= sensor.min_depth_m && noisy <= sensor.max_depth_m ? noisy : 0;
+  }
+  const double step = sensor.depthStep(z);
   const double noisy = z + std::sqrt(std::max(0.0, sigma * sigma - step * step / 12)) * axial;
   const double per_depth = sensor.camera.fx * sensor.baseline_m / sensor.disparity_step_px;  // steps at 1 m
   const double stepped = per_depth / std::round(per_depth / noisy);
@@ -94,7 +100,18 @@ DepthSensor DepthSensor::stereo(const PinholeCamera& camera) {
   return sensor;
 }
 
+DepthSensor DepthSensor::timeOfFlight(const PinholeCamera& camera) {
+  DepthSensor sensor;
+  sensor.kind = SensorKind::kTimeOfFlight;
+  sensor.camera = camera;
+  sensor.baseline_m = 0;
+  sensor.min_depth_m = 0.5;
+  sensor.max_depth_m = 3.86;
+  return sensor;
+}
+
 double DepthSensor::axialSigma(double z, double theta) const {
+  if (kind == SensorKind::kTimeOfFlight) return tof_sigma_m * z / std::sqrt(std::cos(std::min(theta, kSteepest_rad)));
   if (kind == SensorKind::kStereo) return z * z / (camera.fx * baseline_m) * subpixel_px;
   const double steep = steepness(theta);
   return 0.0012 + 0.0019 * (z - 0.4) * (z - 0.4) + 0.0001 / std::sqrt(z) * steep * steep;
@@ -107,6 +124,7 @@ SceneImages takePicture(const SurfaceView& view, const DepthSensor& sensor, std:
   const cv::Size size(camera.width, camera.height);
   SceneImages picture{camera, cv::Mat_<ushort>(size, ushort{0}), view.color, cv::Mat_<ushort>(size, ushort{0})};
   const bool stereo = sensor.kind == SensorKind::kStereo && !sensor.ideal;
+  const bool phases = sensor.kind == SensorKind::kTimeOfFlight && !sensor.ideal;
   const int windows_px[] = {stereo ? kStereoWindow_px : kAxialWindow_px, kLateralWindow_px, kLateralWindow_px,
                             kLossWindow_px, kWaveWindow_px};
   cv::Mat_<double> noise[5], matched;
@@ -118,12 +136,13 @@ SceneImages takePicture(const SurfaceView& view, const DepthSensor& sensor, std:
     noise[0] = (noise[0] + noise[4]) * std::sqrt(0.5);
     matched = matchedDepths(view, sensor, threads);
   }
+  if (phases) matched = timeOfFlightDepths(view, sensor, threads);
   const cv::Mat_<double>&axial = noise[0], &right = noise[1], &down = noise[2], &loss = noise[3];
   parallelFor(size.height, threads, [&](int v) {
     for (int u = 0; u < size.width; ++u) {
       const Vector3d ray = camera.ray(u, v);
       int from_u = u, from_v = v;
-      if (!sensor.ideal) {
+      if (!sensor.ideal && !phases) {
         const double theta = incidence(view.at(v, u), ray);
         from_u = std::clamp(u + lateralShift(theta, right(v, u)), 0, size.width - 1);
         from_v = std::clamp(v + lateralShift(theta, down(v, u)), 0, size.height - 1);
@@ -133,7 +152,7 @@ SceneImages takePicture(const SurfaceView& view, const DepthSensor& sensor, std:
       double depth_m = from.depth_m;
       if (!sensor.ideal) {
         const Vector3d its_ray = camera.ray(from_u, from_v);
-        const double blended = stereo ? matched(from_v, from_u) - from.depth_m : 0;
+        const double blended = stereo || phases ? matched(from_v, from_u) - from.depth_m : 0;
         depth_m =
             measure(sensor, extended(from, its_ray, ray) + blended, incidence(from, its_ray), axial(v, u), loss(v, u));
       }
@@ -149,7 +168,7 @@ SceneImages takePicture(const SurfaceView& view, const DepthSensor& sensor, std:
 SurfaceView viewSurfaces(const std::vector<Body>& bodies, const Eigen::Isometry3d& T_world_camera,
                          const DepthSensor& sensor) {
   std::optional<Vector3d> projector;
-  if (!sensor.ideal) projector = Vector3d(sensor.baseline_m, 0, 0);
+  if (!sensor.ideal && sensor.baseline_m > 0) projector = Vector3d(sensor.baseline_m, 0, 0);
   return viewSurfaces(bodies, T_world_camera, sensor.camera, projector);
 }
 

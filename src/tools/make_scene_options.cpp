@@ -65,7 +65,9 @@ po::options_description shownOptions() {
       "the camera of --frames stands still: the same view, each frame with noise of its own");
   add("rate", po::value<double>()->value_name("HZ"), "frames of a bag a second (10)");
   add("ideal", po::bool_switch(), "a depth camera without noise, steps, shadows or limits");
-  add("sensor", text("KIND"), "structured (light, like a Kinect; default) or stereo (like a RealSense)");
+  add("sensor", text("KIND"),
+      "structured (light, like a Kinect; default), stereo (like a RealSense) or tof (time of flight, like an Azure "
+      "Kinect)");
   add("camera", text("CAMERA.yaml"), "the camera's intrinsics (640 x 480, f = 525)");
   add("lens", text("NAME"), ("the size and lens of a depth camera: " + lensNames()).c_str());
   add("size", text("WIDTHxHEIGHT"), "scale the camera to another image width; the height is cut or grows");
@@ -181,8 +183,11 @@ std::string readSensor(const po::variables_map& values, MakeSceneOptions& o) {
     o.sensor.camera = camera.value;
   }
   const std::string kind = values.count("sensor") ? textOf(values, "sensor") : "structured";
-  if (kind != "structured" && kind != "stereo") return "--sensor " + kind + ": must be structured or stereo";
+  if (kind != "structured" && kind != "stereo" && kind != "tof") {
+    return "--sensor " + kind + ": must be structured, stereo or tof";
+  }
   if (kind == "stereo") o.sensor = DepthSensor::stereo(o.sensor.camera);
+  if (kind == "tof") o.sensor = DepthSensor::timeOfFlight(o.sensor.camera);
   o.sensor.ideal = values["ideal"].as<bool>();
   return "";
 }

@@ -17,6 +17,7 @@
 #include "fixtures/leaf_model.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "nodelet_fixture.hpp"
+#include "objectness_segmentation/config.hpp"
 
 namespace {
 

@@ -83,9 +83,13 @@ cv::Mat_<double> timeOfFlightDepths(const SurfaceView& view, const DepthSensor& 
       double all = 0;
       for (int y = std::max(0, v - kSpread_px); y <= std::min(size.height - 1, v + kSpread_px); ++y) {
         for (int x = std::max(0, u - kSpread_px); x <= std::min(size.width - 1, u + kSpread_px); ++x) {
+          const std::size_t q = std::size_t(y) * size.width + x;
           const double weight = (y == v ? 2 : 1) * (x == u ? 2 : 1);
-          sum += weight * light[std::size_t(y) * size.width + x];
-          all += weight * std::abs(light[std::size_t(y) * size.width + x]);
+          // Calibrated: a neighbour at the same depth has the same phase, although its ray is longer or shorter.
+          const double calibration_m =
+              view.at(y, x).depth_m / view.at(v, u).depth_m * own.distance - points[q].distance;
+          sum += weight * light[q] * std::polar(1.0, per_m * calibration_m);
+          all += weight * std::abs(light[q]);
         }
       }
       if (std::abs(sum) < kLeastAgreement * all) continue;

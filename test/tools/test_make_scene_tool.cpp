@@ -74,6 +74,16 @@ TEST_F(MakeSceneTool, TakesTheLensOfACamera) {
   EXPECT_NEAR(objectness::loadCamera(file("b/camera.yaml")).value.fx, 230, 1e-6);
 }
 
+TEST_F(MakeSceneTool, TakesTheKindOfSensor) {
+  std::set<std::string> depths;
+  for (const char* kind : {"structured", "stereo", "tof"}) {
+    const std::string out = file(kind);
+    ASSERT_EQ(make("--demo --size 160x120 --sensor " + std::string(kind) + " --out " + out).exit_status, 0);
+    depths.insert(readBytes(out + "/depth.png"));
+  }
+  EXPECT_EQ(depths.size(), 3u);
+}
+
 TEST_F(MakeSceneTool, WritesASequence) {
   ASSERT_EQ(make("--level shapes --frames 3 --size 160x120 --out " + file("s")).exit_status, 0);
   std::set<std::string> poses;
@@ -142,6 +152,7 @@ TEST_F(MakeSceneTool, WrongCommandLines) {
            {"--level boxes --size 640 --out o", "--size 640: must be WIDTHxHEIGHT"},
            {"--level boxes --table 1x1 --out o", "--table: '1x1' is no table"},
            {"--level boxes --around leg --out o", "--around: 'leg' is not arm, wall, rack or table"},
+           {"--level boxes --sensor sonar --out o", "--sensor sonar: must be structured, stereo or tof"},
            {"--level boxes --lens fisheye --out o", "--lens fisheye: must be xtion_qvga, kinect"},
            {"--level boxes --lens kinect --camera c.yaml --out o", "--camera and --lens exclude each other"},
            {"--level everyday --out o", "--level everyday needs --count"},

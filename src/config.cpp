@@ -2,6 +2,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "method_names.hpp"
 #include "objectness_segmentation/config_fields.hpp"
 
 namespace objectness {
@@ -25,7 +26,7 @@ void checkRanges(const Config& config, Problems& problems) {
     const double value = std::visit([](const auto* v) { return static_cast<double>(*v); }, field.value);
     if (value >= field.range.min && value <= field.range.max) continue;  // false for NaN
     if (std::holds_alternative<SegmentationMethod*>(field.value)) {
-      problems.push_back(field.fullName() + " is no method, must be objectness, paper or boxes");
+      problems.push_back(field.fullName() + " is no method, must be " + joinedMethodNames(", ", " or "));
       continue;
     }
     problems.push_back(

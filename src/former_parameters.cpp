@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objectness_segmentation/former_parameters.hpp"
 
+#include "method_names.hpp"
+
 namespace objectness {
 namespace {
 
@@ -14,23 +16,23 @@ std::vector<ConfigField> FormerParameters::fields() {
 
 std::vector<std::string> FormerParameters::apply(const std::set<std::string>& given, Config& config) const {
   SegmentationMethod& method = config.pipeline.method;
+  const bool replaced = given.count("pipeline.method") > 0;
   std::vector<std::string> warnings;
+  const auto warn = [&](const char* name, SegmentationMethod meant) {
+    warnings.push_back(std::string(name) + " is replaced by pipeline.method: " + toString(meant) +
+                       (replaced ? ", and has no effect beside it" : ""));
+  };
   if (given.count(kGrouping)) {
-    if (grouping_) {
-      method = SegmentationMethod::kObjectness;
-    } else if (method == SegmentationMethod::kObjectness) {
-      method = SegmentationMethod::kPaper;
-    }
-    warnings.push_back(std::string(kGrouping) +
-                       " is replaced by pipeline.method: " + (grouping_ ? "objectness" : "paper"));
+    warn(kGrouping, grouping_ ? SegmentationMethod::kObjectness : SegmentationMethod::kPaper);
+    const bool boxes = method != SegmentationMethod::kObjectness;
+    if (!replaced && grouping_) method = SegmentationMethod::kObjectness;
+    if (!replaced && !grouping_ && !boxes) method = SegmentationMethod::kPaper;
   }
-  // Superpixels follow boxes only: this never turned the default method into another one.
   if (given.count(kFollow)) {
-    if (method != SegmentationMethod::kObjectness) {
-      method = follow_superpixels_ ? SegmentationMethod::kPaper : SegmentationMethod::kBoxes;
-    }
-    warnings.push_back(std::string(kFollow) +
-                       " is replaced by pipeline.method: " + (follow_superpixels_ ? "paper" : "boxes"));
+    const SegmentationMethod meant = follow_superpixels_ ? SegmentationMethod::kPaper : SegmentationMethod::kBoxes;
+    warn(kFollow, meant);
+    // Superpixels follow boxes only: this never turned the default method into another one.
+    if (!replaced && method != SegmentationMethod::kObjectness) method = meant;
   }
   return warnings;
 }

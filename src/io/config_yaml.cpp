@@ -12,6 +12,7 @@
 #include "io/file_access.hpp"
 #include "io/name_suggestion.hpp"
 #include "io/yaml_text.hpp"
+#include "method_names.hpp"
 #include "objectness_segmentation/former_parameters.hpp"
 
 namespace objectness {
@@ -26,28 +27,17 @@ struct TypeName {
   const char* operator()(const SegmentationMethod*) const { return "string"; }
 };
 
-/// "objectness, paper or boxes"
-std::string joinedNames(const std::string& separator, const std::string& last) {
-  std::string text;
-  for (std::size_t k = 0; k < kMethodNames.size(); ++k) {
-    text += (k == 0 ? "" : k + 1 == kMethodNames.size() ? last : separator) + kMethodNames[k];
-  }
-  return text;
-}
-
 struct ExpectedText {
   std::string operator()(const double*) const { return "a number"; }
   std::string operator()(const int*) const { return "a whole number"; }
   std::string operator()(const bool*) const { return "true or false"; }
-  std::string operator()(const SegmentationMethod*) const { return joinedNames(", ", " or "); }
+  std::string operator()(const SegmentationMethod*) const { return joinedMethodNames(", ", " or "); }
 };
 
 struct ValueText {
   std::string operator()(const bool* value) const { return *value ? "true" : "false"; }
   std::string operator()(const int* value) const { return std::to_string(*value); }
-  std::string operator()(const SegmentationMethod* value) const {
-    return kMethodNames.at(static_cast<std::size_t>(*value));
-  }
+  std::string operator()(const SegmentationMethod* value) const { return toString(*value); }
   /// The shortest text that reads back as the same number.
   std::string operator()(const double* value) const {
     std::ostringstream text;
@@ -68,10 +58,9 @@ bool read(const YAML::Node& node, T& value) {
 }
 
 bool read(const YAML::Node& node, SegmentationMethod& value) {
-  const auto name = std::find(kMethodNames.begin(), kMethodNames.end(), node.Scalar());
-  if (name == kMethodNames.end()) return false;
-  value = static_cast<SegmentationMethod>(name - kMethodNames.begin());
-  return true;
+  const auto method = methodNamed(node.Scalar());
+  value = method.value_or(value);
+  return method.has_value();
 }
 
 void assign(const ConfigField& field, const YAML::Node& node, Problems& problems) {
@@ -199,7 +188,7 @@ std::string listParameters() {
   for (const ConfigField& field : configFields(defaults)) {
     const bool is_bool = std::holds_alternative<bool*>(field.value);
     const bool is_method = std::holds_alternative<SegmentationMethod*>(field.value);
-    const std::string least = is_bool ? "false" : is_method ? joinedNames("|", "|") : number(field.range.min);
+    const std::string least = is_bool ? "false" : is_method ? joinedMethodNames("|", "|") : number(field.range.min);
     const std::string largest = is_bool ? "true" : is_method ? "" : number(field.range.max);
     text << field.fullName() << '\t' << std::visit(TypeName(), field.value) << '\t'
          << std::visit(ValueText(), field.value) << '\t' << least << '\t' << largest << '\t' << field.description

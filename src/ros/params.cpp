@@ -7,6 +7,8 @@
 #include <type_traits>
 #include <variant>
 
+#include "method_names.hpp"
+
 namespace objectness_segmentation {
 namespace {
 
@@ -14,7 +16,6 @@ using objectness::Config;
 using objectness::ConfigField;
 using objectness::configFields;
 using objectness::FormerParameters;
-using objectness::kMethodNames;
 using objectness::SegmentationMethod;
 using XmlRpc::XmlRpcValue;
 
@@ -43,16 +44,11 @@ bool convert(XmlRpcValue from, bool& to) {
   return true;
 }
 
-/// False for what is no name of a method.
-bool fromName(const std::string& name, SegmentationMethod& to) {
-  const auto found = std::find(kMethodNames.begin(), kMethodNames.end(), name);
-  if (found == kMethodNames.end()) return false;
-  to = static_cast<SegmentationMethod>(found - kMethodNames.begin());
-  return true;
-}
-std::string toName(SegmentationMethod method) { return kMethodNames.at(static_cast<std::size_t>(method)); }
 bool convert(XmlRpcValue from, SegmentationMethod& to) {
-  return from.getType() == XmlRpcValue::TypeString && fromName(static_cast<std::string>(from), to);
+  if (from.getType() != XmlRpcValue::TypeString) return false;
+  const auto method = objectness::methodNamed(static_cast<std::string>(from));
+  to = method.value_or(to);
+  return method.has_value();
 }
 
 /// Sets the field; false, and the field as it was, when the value has the wrong type or is out of range.
@@ -71,12 +67,8 @@ bool assign(const XmlRpcValue& value, const ConfigField& field) {
 
 std::string expectation(const ConfigField& field) {
   if (std::holds_alternative<bool*>(field.value)) return "true or false";
+  if (std::holds_alternative<SegmentationMethod*>(field.value)) return objectness::joinedMethodNames(", ", " or ");
   std::ostringstream text;
-  if (std::holds_alternative<SegmentationMethod*>(field.value)) {
-    text << "one of";
-    for (const char* name : kMethodNames) text << " '" << name << "'";
-    return text.str();
-  }
   text << (std::holds_alternative<int*>(field.value) ? "a whole number" : "a number") << " from " << field.range.min
        << " to " << field.range.max;
   return text.str();
@@ -115,14 +107,15 @@ template <class T>
 T toReconfigure(T value) {
   return value;
 }
-std::string toReconfigure(SegmentationMethod method) { return toName(method); }
+std::string toReconfigure(SegmentationMethod method) { return objectness::toString(method); }
 template <class T, class From>
 void fromReconfigure(const From& from, T& to) {
   to = from;
 }
 /// What is no name of a method becomes a value that validate() rejects.
 void fromReconfigure(const std::string& name, SegmentationMethod& to) {
-  if (!fromName(name, to)) to = static_cast<SegmentationMethod>(kMethodNames.size());
+  constexpr auto kNone = static_cast<SegmentationMethod>(objectness::kMethodNames.size());
+  to = objectness::methodNamed(name).value_or(kNone);
 }
 
 }  // namespace

@@ -36,16 +36,17 @@ LitPoint litPoint(const SurfaceView& view, int v, int u) {
   return {p, pixel.normal, distance, cosine / (distance * distance), pixel_m * pixel_m / cosine};
 }
 
+/// The first row or column within reach of one that is a whole number of strides away.
+int firstBounce(int of) { return of - std::min(of, kBounce_px) / kBounceStride_px * kBounceStride_px; }
+
 /// The light that one pixel's surface sends back, as a phasor: by itself, and lit by its neighbours in the picture.
 std::complex<double> lightOf(const std::vector<LitPoint>& points, const cv::Size& size, int v, int u, double per_m) {
   const LitPoint& own = points[std::size_t(v) * size.width + u];
   if (own.distance == 0) return 0;
   std::complex<double> light = std::polar(own.amplitude, per_m * own.distance);
   // Diffuse light of one bounce: camera, q, p, camera.
-  for (int y = v % kBounceStride_px + kBounceStride_px * (std::max(0, v - kBounce_px) / kBounceStride_px);
-       y <= std::min(size.height - 1, v + kBounce_px); y += kBounceStride_px) {
-    for (int x = u % kBounceStride_px + kBounceStride_px * (std::max(0, u - kBounce_px) / kBounceStride_px);
-         x <= std::min(size.width - 1, u + kBounce_px); x += kBounceStride_px) {
+  for (int y = firstBounce(v); y <= std::min(size.height - 1, v + kBounce_px); y += kBounceStride_px) {
+    for (int x = firstBounce(u); x <= std::min(size.width - 1, u + kBounce_px); x += kBounceStride_px) {
       const LitPoint& other = points[std::size_t(y) * size.width + x];
       if (other.distance == 0) continue;
       const Vector3d between = other.p - own.p;

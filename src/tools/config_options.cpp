@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iterator>
 
+#include "method_names.hpp"
 #include "objectness_segmentation/io/config_yaml.hpp"
 #include "tools/tool_message.hpp"
 
@@ -74,9 +75,9 @@ Status readConfigOptions(const po::variables_map& values, std::vector<std::strin
   std::vector<std::string> assignments;
   if (values.count("method")) {
     const auto method = values["method"].as<std::string>();
-    if (std::find(kMethodNames.begin(), kMethodNames.end(), method) == kMethodNames.end()) {
-      return Status::error(StatusCode::kBadConfig,
-                           "--method " + method + ": there are only the methods 'objectness', 'paper' and 'boxes'");
+    if (!methodNamed(method)) {
+      return Status::error(StatusCode::kBadConfig, "--method " + method + ": there are only the methods '" +
+                                                       joinedMethodNames("', '", "' and '") + "'");
     }
     assignments.push_back("pipeline.method=" + method);
   }

@@ -169,11 +169,11 @@ TEST(ConfigYaml, FormerNamesOfMethodsCountWithAWarning) {
   const std::vector<std::tuple<std::vector<std::string>, SegmentationMethod, std::size_t>> cases{
       {{}, SegmentationMethod::kObjectness, 0},
       {{"grouping.enabled=false"}, SegmentationMethod::kPaper, 1},
-      {{"pipeline.method=paper", "grouping.enabled=true"}, SegmentationMethod::kObjectness, 1},
-      {{"pipeline.method=boxes", "grouping.enabled=false"}, SegmentationMethod::kBoxes, 1},
+      {{"pipeline.method=paper", "grouping.enabled=true"}, SegmentationMethod::kPaper, 1},
+      {{"grouping.enabled=false", "pipeline.method=objectness"}, SegmentationMethod::kObjectness, 1},
       {{"segments.follow_superpixels=false", "grouping.enabled=false"}, SegmentationMethod::kBoxes, 2},
       {{"segments.follow_superpixels=false"}, SegmentationMethod::kObjectness, 1},
-      {{"pipeline.method=boxes", "segments.follow_superpixels=true"}, SegmentationMethod::kPaper, 1}};
+      {{"pipeline.method=boxes", "segments.follow_superpixels=true"}, SegmentationMethod::kBoxes, 1}};
   for (const auto& [assignments, method, warned] : cases) {
     Config config;
     std::vector<std::string> warnings;
@@ -183,6 +183,16 @@ TEST(ConfigYaml, FormerNamesOfMethodsCountWithAWarning) {
     for (const std::string& warning : warnings) {
       EXPECT_NE(warning.find("is replaced by pipeline.method: "), std::string::npos) << warning;
     }
+  }
+  // Over a preset that was read before.
+  for (const auto& [start, assignment, method] :
+       {std::tuple("paper", "grouping.enabled=true", SegmentationMethod::kObjectness),
+        std::tuple("boxes", "grouping.enabled=false", SegmentationMethod::kBoxes),
+        std::tuple("boxes", "segments.follow_superpixels=true", SegmentationMethod::kPaper)}) {
+    Config changed;
+    ASSERT_TRUE(setParameters({std::string("pipeline.method=") + start}, changed).ok());
+    ASSERT_TRUE(setParameters({assignment}, changed).ok());
+    EXPECT_EQ(changed.pipeline.method, method) << assignment;
   }
   Config config;
   EXPECT_NE(setParameters({"grouping.enabled=3"}, config).message.find("must be true or false"), std::string::npos);

@@ -32,6 +32,11 @@ TEST(Parameters, OfEarlierVersionsCountWithAWarning) {
   EXPECT_EQ(parameters.config.pipeline.method, objectness::SegmentationMethod::kPaper);
   ASSERT_EQ(parameters.problems.size(), 1u);
   EXPECT_EQ(parameters.problems[0], "parameter grouping.enabled is replaced by pipeline.method: paper");
+  nh.setParam("pipeline_method", "objectness");
+  const ReadParameters both = readParameters(nh, {});
+  EXPECT_EQ(both.config.pipeline.method, objectness::SegmentationMethod::kObjectness);
+  ASSERT_EQ(both.problems.size(), 1u);
+  EXPECT_NE(both.problems[0].find("has no effect beside it"), std::string::npos);
 }
 
 TEST(Parameters, ThatAreWrongAreNamed) {

@@ -12,10 +12,10 @@ void addCounters(const Segmentation& result, benchmark::State& state) {
   for (const auto& [name, ms] : result.report.timings_ms) {
     state.counters["stage:" + std::to_string(stage++) + ":" + name] = ms;
   }
-  for (const auto& [name, count] : result.report.counts) {
+  Report::figures(result.report, [&](const std::string& name, const auto& figure) {
     // Of runs that all counted 0 the coefficient of variation is no number, which JSON cannot hold.
-    if (count != 0) state.counters["count:" + name] = static_cast<double>(count);
-  }
+    if (figure && *figure != 0) state.counters["count:" + name] = static_cast<double>(*figure);
+  });
 }
 
 }  // namespace

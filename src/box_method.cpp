@@ -36,18 +36,18 @@ void searchBoxes(const Frame& frame, const Config& config, const Stages& stage, 
   const CuePoints points = stage("cue_points", [&] {
     return collectCuePoints(frame, result.table, result.object_points, result.edges, result.superpixels);
   });
-  stage.count("object_points", points.points.size());
-  stage.count("edge_points", points.edges.size());
+  stage.report().object_points = points.points.size();
+  stage.report().edge_points = points.edges.size();
 
   // Sec. 2.1, 2.2 and 3.5: integral volumes for every angle, every box of the sampling scored.
   const SearchOutcome search = stage("search", [&] {
     return searchAllAngles(frame, result.table, points, searchSettings(config), stage.cancelFlag());
   });
-  stage.count("boxes_sampled", search.sampled);
-  stage.count("boxes_scored", search.scored);
-  stage.count("boxes_passed", search.passed);
-  stage.count("boxes_bounded", search.unbounded.empty());
-  stage.value("search_threshold", search.threshold);
+  stage.report().boxes_sampled = search.sampled;
+  stage.report().boxes_scored = search.scored;
+  stage.report().boxes_passed = search.passed;
+  stage.report().boxes_bounded = search.unbounded.empty();
+  stage.report().search_threshold = search.threshold;
   if (!search.status.ok()) {
     result.status = search.status;
     return;
@@ -58,13 +58,13 @@ void searchBoxes(const Frame& frame, const Config& config, const Stages& stage, 
     return filterByObjectness(search.boxes, search.grids, points.points, config.filter, config.selection,
                               config.runtime.threads);
   });
-  stage.count("hypotheses", candidates.boxes.size());
+  stage.report().hypotheses = candidates.boxes.size();
   result.proposals = rankedBoxes(candidates, search, result.table.T_table_camera);
 
   // Sec. 4.2: the globally consistent choice.
   const Selection selection =
       stage("selection", [&] { return selectHypotheses(candidates.problem, config.selection, config.runtime.seed); });
-  stage.value("selection_cost", selection.cost);
+  stage.report().selection_cost = selection.cost;
 
   // Sec. 4: a segment is what falls within a selected box.
   result.segments = stage("segments", [&] {

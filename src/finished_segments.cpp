@@ -11,7 +11,7 @@ void finishSegments(const Frame& frame, const Config& config, const Stages& stag
   if (config.background.judged) {
     const auto background =
         stage("background", [&] { return takeBackground(frame, result.table, result.object_points, result.segments); });
-    stage.count("background", background.size());
+    stage.report().background = background.size();
   }
   keepMeasured(frame.bridged, result.segments);
   result.labels = labelImage(result.object_points.on_table, frame.bridged, result.segments);
@@ -24,9 +24,9 @@ void finishSegments(const Frame& frame, const Config& config, const Stages& stag
       return findUnmeasured(frame, result.table, result.object_points, result.labels, result.segments,
                             config.unmeasured);
     });
-    stage.count("unmeasured", result.unmeasured.size());
+    stage.report().unmeasured = result.unmeasured.size();
   }
-  stage.count("segments", result.segments.size());
+  stage.report().segments = result.segments.size();
 }
 
 }  // namespace objectness

@@ -36,7 +36,7 @@ void observeScene(const Frame& frame, const Config& config, const Stages& stage,
   });
   scene.edges = std::move(cues.edges);
   scene.superpixels = std::move(cues.superpixels);
-  stage.count("superpixels", scene.superpixels.count);
+  stage.report().superpixels = scene.superpixels.count;
 }
 
 }  // namespace objectness

@@ -30,16 +30,16 @@ std::vector<int> packGroups(const PieceGraph& graph, const std::vector<Link>& li
     problem = packingProblem(graph.pieces.count(), links, groups, config.grouping);
     return selectGroups(problem, config.grouping, config.runtime.seed);
   });
-  stage.count("selection_proven", packing.optimal);
-  stage.value("selection_value", packing.value);
-  stage.value("selection_bound", packing.bound);
-  stage.value("selection_gap", packing.gap());
+  stage.report().selection_proven = packing.optimal;
+  stage.report().selection_value = packing.value;
+  stage.report().selection_bound = packing.bound;
+  stage.report().selection_gap = packing.gap();
   if (config.grouping.compare_annealing) {
     Packing annealed =
         stage("annealing", [&] { return packByAnnealing(problem, config.grouping.iterations, config.runtime.seed); });
     annealed.bound = packing.bound;
     annealed.optimal = packing.optimal && annealed.value >= packing.value;
-    stage.value("annealing_gap", annealed.gap());
+    stage.report().annealing_gap = annealed.gap();
   }
   return packing.chosen;
 }
@@ -52,7 +52,7 @@ std::vector<int> annealGroups(const Frame& frame, const Table& table, const Piec
         groupCostProblem(frame, table, pieces, groups, config.selection, {config.objectness, config.volume.voxel_m});
     return selectHypotheses(problem, config.selection, config.runtime.seed);
   });
-  stage.value("selection_cost", selection.cost);
+  stage.report().selection_cost = selection.cost;
   std::vector<int> chosen;
   for (std::size_t k = 0; k < groups.size(); ++k) {
     if (selection.active[k]) chosen.push_back(static_cast<int>(k));
@@ -69,8 +69,8 @@ void groupPieces(const Frame& frame, const Config& config, const LearnedObjectne
     return findPieceGraph(frame, result.normals, result.table, result.object_points, result.superpixels, config.pieces,
                           config.links, config.runtime.threads);
   });
-  stage.count("pieces", graph.pieces.count());
-  stage.count("pairs", graph.pairs.size());
+  stage.report().pieces = graph.pieces.count();
+  stage.report().pairs = graph.pairs.size();
 
   std::vector<Link> links;
   const std::vector<GroupHypothesis> groups = stage("groups", [&] {
@@ -87,7 +87,7 @@ void groupPieces(const Frame& frame, const Config& config, const LearnedObjectne
     if (remembered) remembered->compare(proposed);
     return proposed;
   });
-  stage.count("hypotheses", groups.size());
+  stage.report().hypotheses = groups.size();
   result.proposals = rankedBoxes(groups);
 
   std::vector<int> chosen = config.grouping.paper_cost

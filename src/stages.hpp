@@ -10,7 +10,7 @@ namespace objectness {
 /// Thrown between stages only.
 struct Cancelled {};
 
-/// The stages of a frame: timed, counted, and not begun once cancelled.
+/// The stages of a frame: timed, and not begun once cancelled.
 class Stages {
  public:
   /// cancel: nullptr for never. `report` must outlive the stages.
@@ -22,11 +22,7 @@ class Stages {
     const StageTimer timer(report_.timings_ms, name);
     return work();
   }
-  template <class Value>
-  void count(const char* name, Value value) const {
-    report_.counts.emplace_back(name, value);
-  }
-  void value(const char* name, double value) const { report_.values.emplace_back(name, value); }
+  Report& report() const { return report_; }
   const std::atomic<bool>* cancelFlag() const { return cancel_; }
 
  private:

@@ -152,8 +152,8 @@ void run(Baseline baseline, const Frame& frame, const Config& config, const Base
   result.segments = collectSegments(labels, sizes);
   keepMeasured(frame.bridged, result.segments);
   result.labels = labelImage(result.object_points.on_table, frame.bridged, result.segments);
-  stage.count("object_points", cv::countNonZero(result.object_points.mask));
-  stage.count("segments", result.segments.size());
+  stage.report().object_points = cv::countNonZero(result.object_points.mask);
+  stage.report().segments = result.segments.size();
 }
 
 }  // namespace

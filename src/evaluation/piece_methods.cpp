@@ -33,7 +33,7 @@ void run(const Frame& frame, const Config& config, const Choose& choose, Segment
   if (!result.status.ok()) return;
   const PieceGraph graph = findPieceGraph(frame, result.normals, result.table, result.object_points, result.superpixels,
                                           config.pieces, config.links, config.runtime.threads);
-  stage.count("pieces", graph.pieces.count());
+  stage.report().pieces = graph.pieces.count();
   const std::vector<GroupHypothesis> groups = choose({frame, result, graph});
   std::vector<int> all(groups.size());
   std::iota(all.begin(), all.end(), 0);

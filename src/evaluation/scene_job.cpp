@@ -92,9 +92,8 @@ class Job {
     const Segmentation found = runGuarded(afterFramesBefore(), frame.value, annotation_);
     result_.peak_mib = peakMemoryMib();
     result_.timings_ms = found.report.timings_ms;
-    for (const auto& [name, value] : found.report.values) {
-      if (name == "selection_gap" || name == "annealing_gap") result_.gaps.emplace_back(name, value);
-    }
+    if (found.report.selection_gap) result_.gaps.emplace_back("selection_gap", *found.report.selection_gap);
+    if (found.report.annealing_gap) result_.gaps.emplace_back("annealing_gap", *found.report.annealing_gap);
     if (!found.status.ok()) return fail(found.status.message);
     result_.segments = static_cast<int>(found.segments.size());
     result_.segment_boxes = segmentBoxes(frame.value, found);

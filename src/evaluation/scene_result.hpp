@@ -35,7 +35,7 @@ struct SceneResult {
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< away from the table, camera frame
   int segments = 0;
   Metrics proposals;      ///< toMetrics(), of methods that propose boxes
-  Metrics gaps;           ///< selection_gap and annealing_gap of Report::values, where there are any
+  Metrics gaps;           ///< selection_gap and annealing_gap of the Report, where there are any
   StageTimes timings_ms;  ///< as in Report
   double peak_mib = 0;    ///< most memory its process held until the segments were there
 

@@ -89,8 +89,9 @@ Json toJson(const Unmeasured& thing) {
 
 Json toJson(const Report& report) {
   Json json = Json::object();
-  for (const auto& [name, count] : report.counts) json[name] = count;
-  for (const auto& [name, value] : report.values) json[name] = value;
+  Report::figures(report, [&](const char* name, const auto& figure) {
+    if (figure) json[name] = +*figure;  // true is written as 1
+  });
   Json& timings = json["timings_ms"] = Json::object();
   for (const auto& [stage, ms] : report.timings_ms) timings[stage] = std::round(ms * 1000) / 1000;
   return json;

@@ -29,12 +29,7 @@ static_assert(static_cast<int>(StatusCode::kNoInput) == SegmentedObjectArray::NO
 static_assert(objectness::kFirstObjectLabel == SegmentedObject::LABEL_FIRST_OBJECT);
 static_assert(objectness::kTableLabel == SegmentedObject::LABEL_TABLE);
 
-std::uint64_t countNamed(const objectness::Report& report, const std::string& name) {
-  for (const auto& [key, count] : report.counts) {
-    if (key == name) return static_cast<std::uint64_t>(count);
-  }
-  return 0;
-}
+std::uint64_t orZero(const std::optional<std::int64_t>& count) { return static_cast<std::uint64_t>(count.value_or(0)); }
 
 /// Of a thinned frame: the pixels of the input that it has.
 std::vector<int> inputPixels(const SegmentedFrame& result, const std::vector<int>& pixels) {
@@ -110,9 +105,9 @@ SegmentedObjectArray toObjectsMessage(const SegmentedFrame& result, const std_ms
     message.objects.push_back(toObject(result, rank, header));
   }
   if (segmentation.status.ok()) message.unmeasured = toUnmeasuredMessages(segmentation.unmeasured);
-  message.boxes_sampled = countNamed(segmentation.report, "boxes_sampled");
-  message.boxes_scored = countNamed(segmentation.report, "boxes_scored");
-  message.boxes_passed = countNamed(segmentation.report, "boxes_passed");
+  message.boxes_sampled = orZero(segmentation.report.boxes_sampled);
+  message.boxes_scored = orZero(segmentation.report.boxes_scored);
+  message.boxes_passed = orZero(segmentation.report.boxes_passed);
   return message;
 }
 

@@ -27,12 +27,7 @@ std::string join(const std::vector<std::string>& sentences) {
 
 /// What the objects were chosen among, whichever method it was.
 std::int64_t boxesScored(const objectness::Report& report) {
-  std::int64_t scored = 0;
-  for (const auto& [name, count] : report.counts) {
-    if (name == "boxes_scored") return count;
-    if (name == "hypotheses") scored = count;
-  }
-  return scored;
+  return report.boxes_scored.value_or(report.hypotheses.value_or(0));
 }
 
 }  // namespace

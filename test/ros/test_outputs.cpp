@@ -80,7 +80,8 @@ TEST(ObjectsMessage, TellsWhatStandsOnWhat) {
 
 TEST(ObjectsMessage, CountsNoBoxesWhereNoneWereSampled) {
   SegmentedFrame result = makeResult();
-  result.segmentation.report.counts = {{"hypotheses", 7}};
+  result.segmentation.report = {};
+  result.segmentation.report.hypotheses = 7;
   const SegmentedObjectArray message = toObjectsMessage(result, makeHeader());
   EXPECT_EQ(message.boxes_sampled + message.boxes_scored + message.boxes_passed, 0u);
 }

@@ -27,7 +27,9 @@ inline objectness::Segmentation makeSegmentation() {
   }
   result.segments[0].pixels = {0, 2, 3};
   result.segments[1].pixels = {9};
-  result.report.counts = {{"boxes_sampled", 5000000000}, {"boxes_scored", 20}, {"boxes_passed", 3}};
+  result.report.boxes_sampled = 5000000000;
+  result.report.boxes_scored = 20;
+  result.report.boxes_passed = 3;
   return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "fixtures/report_figures.hpp"
 #include "fixtures/small_scene.hpp"
 #include "objectness_segmentation/pipeline.hpp"
 #include "sim/scene_generator.hpp"
@@ -53,7 +54,7 @@ std::vector<PlacedBox> leaning() {
 void expectSameSegments(const Segmentation& a, const Segmentation& b) {
   ASSERT_EQ(a.segments.size(), b.segments.size());
   EXPECT_EQ(0, cv::norm(a.labels, b.labels, cv::NORM_L1));
-  EXPECT_EQ(a.report.counts, b.report.counts);
+  EXPECT_EQ(figuresOf(a.report), figuresOf(b.report));
   for (std::size_t i = 0; i < a.segments.size(); ++i) {
     EXPECT_EQ(a.segments[i].pixels, b.segments[i].pixels);
     EXPECT_EQ(a.segments[i].objectness, b.segments[i].objectness);

@@ -48,8 +48,9 @@ struct Sample {
     }
     result.segments.push_back(segment);
     result.report.timings_ms = {{"normals", 1.5}, {"total", 2.5}};
-    result.report.counts = {{"boxes_sampled", 123456789012}, {"boxes_scored", 7}};
-    result.report.values = {{"selection_gap", 0.125}};
+    result.report.boxes_sampled = 123456789012;
+    result.report.selection_proven = true;
+    result.report.selection_gap = 0.125;
     result.report.remarks = {"the lens is dirty"};
   }
 };
@@ -94,6 +95,9 @@ TEST(ResultWriter, JsonHoldsEverything) {
   EXPECT_EQ(object["points"], 10);
   EXPECT_EQ(json["report"]["boxes_sampled"], 123456789012);
   EXPECT_EQ(json["report"]["selection_gap"], 0.125);
+  EXPECT_TRUE(json["report"]["selection_proven"].is_number());
+  EXPECT_EQ(json["report"]["selection_proven"], 1);
+  EXPECT_FALSE(json["report"].contains("pieces")) << "there were none to count";
   EXPECT_EQ(json["report"]["timings_ms"]["total"], 2.5);
 }
 

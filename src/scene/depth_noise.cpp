@@ -37,7 +37,7 @@ DepthNoise measureNoise(const SurfaceSamples& view, const Plane& plane, const Pl
       const float residual = sample.point.z() - z_on_plane;
       if (residual > kMaxResidualM) continue;
       const Eigen::Vector2f foot = axes * sample.point;
-      if (grid.cell(foot.x(), foot.y(), cell) && extent(cell) == kCore) {
+      if (grid.cell(foot.x(), foot.y(), cell) && extent(cell) == TableExtent::kCore) {
         parts[part][static_cast<int>(z_on_plane / kBinM)].push_back(residual);
       }
     }

@@ -58,16 +58,22 @@ void clearSmallParts(cv::Mat_<uchar>& mask, int min_pixels) {
 
 HeightMap makeHeightMap(const Frame& frame, const Table& table, const ObjectPointsConfig& config, int threads) {
   const int width = frame.width(), height = frame.height();
-  HeightMap map{cv::Mat_<float>(height, width), cv::Mat_<float>(height, width), cv::Mat_<uchar>(height, width)};
+  HeightMap map{cv::Mat_<float>(height, width), cv::Mat_<float>(height, width), cv::Mat_<uchar>(height, width), {}};
   const HeightRule rule = heightRule(table, config);
   const uchar* cells = table.extent.cells.ptr();
+  const bool any_beyond = cv::countNonZero(table.extent.cells == TableExtent::kBeyond) > 0;
+  if (any_beyond) map.beyond.create(height, width);
   CV_Assert(table.extent.cells.empty() || table.extent.cells.isContinuous());
   forRowBands(height, threads, [&](int first, int last) {
     std::vector<int> cell(width);
     for (int v = first; v < last; ++v) {
       const float* points = frame.points[std::size_t(v) * width].data();
       measureHeights(points, width, rule, map.height_m[v], map.threshold_m[v], cell.data());
-      for (int u = 0; u < width; ++u) map.inside(v, u) = cell[u] < 0 ? uchar(0) : cells[cell[u]];
+      for (int u = 0; u < width; ++u) {
+        const uchar value = cell[u] < 0 ? uchar(0) : cells[cell[u]];
+        map.inside(v, u) = value >= TableExtent::kMargin ? 255 : 0;
+        if (any_beyond) map.beyond(v, u) = value == TableExtent::kBeyond ? 255 : 0;
+      }
     }
   });
   return map;

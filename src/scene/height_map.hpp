@@ -10,6 +10,7 @@ struct HeightMap {
   cv::Mat_<float> height_m;     ///< NaN = invalid point
   cv::Mat_<float> threshold_m;  ///< height that noise does not explain at this pixel, along the table's normal
   cv::Mat_<uchar> inside;       ///< 255 = the foot of the point lies on the table's extent
+  cv::Mat_<uchar> beyond;       ///< 255 = it lies where the table may go on (TableExtent::kBeyond); empty: none does
 };
 
 HeightMap makeHeightMap(const Frame& frame, const Table& table, const ObjectPointsConfig& config, int threads = 1);

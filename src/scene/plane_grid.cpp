@@ -22,7 +22,11 @@ constexpr double kRimM = 0.05;               // things stand at the very edge, a
 constexpr float kMinNormalCosine = 0.9063f;  // 25 deg
 constexpr float kBehindM = 0.015f;           // beyond the tolerance: further behind the plane than any dent of a table
 constexpr float kCoverCeilingM = 0.45f;      // higher things rather stand behind the table
-constexpr int kBands = 4;                    // of the samples, for threads to look at
+constexpr double kBeyondM = 0.32;            // from the extent to things, where there is no depth between
+constexpr double kClearOfThroughM = 0.03;    // of the way to them, and of their feet
+constexpr float kFootM = 0.03f;              // over the plane, of a thing that stands on it
+constexpr int kMinFootCells = 3;
+constexpr int kBands = 4;  // of the samples, for threads to look at
 
 /// Structuring element that reaches this far to each side.
 cv::Mat square(double reach_m, double cell_m) {
@@ -89,7 +93,7 @@ void lay(const std::vector<std::vector<Eigen::Vector2f>>& on_plane, int threads,
 
 /// What some of the samples say of the cells.
 struct Marks {
-  cv::Mat_<uchar> on_plane, seen_through, covered;
+  cv::Mat_<uchar> on_plane, seen_through, covered, feet;
 };
 
 }  // namespace
@@ -137,7 +141,7 @@ PlaneGrid makePlaneGrid(const SurfaceSamples& samples, const Plane& plane, doubl
   std::vector<Marks> marks(bands);
   parallelFor(bands, threads, [&](int band) {
     Marks& mark = marks[band];
-    for (cv::Mat_<uchar>* cells : {&mark.on_plane, &mark.seen_through, &mark.covered}) {
+    for (cv::Mat_<uchar>* cells : {&mark.on_plane, &mark.seen_through, &mark.covered, &mark.feet}) {
       *cells = cv::Mat_<uchar>(grid.rows, grid.columns, uchar(0));
     }
     cv::Point cell;
@@ -156,15 +160,19 @@ PlaneGrid makePlaneGrid(const SurfaceSamples& samples, const Plane& plane, doubl
         if (crosses) mark.seen_through(cell) = 255;
       } else {
         if (crosses) mark.covered(cell) = 255;
-        if (grid.cell(foot.x(), foot.y(), cell)) mark.covered(cell) = 255;
+        if (!grid.cell(foot.x(), foot.y(), cell)) return;
+        mark.covered(cell) = 255;
+        if (height < kFootM) mark.feet(cell) = 255;
       }
     });
   });
   grid.on_plane = marks[0].on_plane, grid.seen_through = marks[0].seen_through, grid.covered = marks[0].covered;
+  grid.feet = marks[0].feet;
   for (int band = 1; band < bands; ++band) {
     grid.on_plane |= marks[band].on_plane;
     grid.seen_through |= marks[band].seen_through;
     grid.covered |= marks[band].covered;
+    grid.feet |= marks[band].feet;
   }
   grid.seen_through.setTo(0, grid.on_plane);
   return grid;
@@ -189,9 +197,31 @@ cv::Mat_<uchar> extentOf(const PlaneGrid& grid) {
   cv::dilate(core, reachable, square(kReachM, grid.cell_m));
   cv::Mat_<uchar> all = rim | (reachable & grid.covered);
   all.setTo(0, grid.seen_through);
-  cv::Mat_<uchar> extent = fillHoles(mainPart(all | core, core)) & kMargin;
-  extent.setTo(kCore, core);
+  cv::Mat_<uchar> extent = fillHoles(mainPart(all | core, core)) & TableExtent::kMargin;
+  extent.setTo(TableExtent::kCore, core);
   return extent;
+}
+
+void markBeyond(const PlaneGrid& grid, cv::Mat_<uchar>& extent) {
+  const cv::Mat_<uchar> own = extent > 0;
+  const cv::Mat step = square(kClearOfThroughM, grid.cell_m);
+  cv::Mat_<uchar> through, near;
+  cv::dilate(grid.seen_through, through, step);
+  cv::dilate(own, near, square(kBeyondM, grid.cell_m));
+  cv::Mat_<uchar> feet = grid.feet & near & ~own & ~through;
+  if (cv::countNonZero(feet) == 0) return;
+
+  // The way to them, in steps that do not reach over what is seen through and as much on each of its sides.
+  cv::Mat_<uchar> reached = own.clone();
+  for (double way_m = 0; way_m < kBeyondM; way_m += kClearOfThroughM) {
+    cv::dilate(reached, near, step);
+    reached |= near & ~through;
+  }
+  feet = withoutSmallParts(feet & reached, kMinFootCells);
+  cv::dilate(feet, near, square(kReachM, grid.cell_m));
+  cv::Mat_<uchar> things = near & grid.covered;
+  cv::dilate(things, things, square(kBridgedGapM, grid.cell_m));
+  extent.setTo(TableExtent::kBeyond, things & ~grid.seen_through & ~own);
 }
 
 }  // namespace objectness

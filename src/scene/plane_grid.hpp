@@ -17,6 +17,7 @@ struct PlaneGrid {
   cv::Mat_<uchar> on_plane;      ///< 255 = a sample lies on the plane here
   cv::Mat_<uchar> seen_through;  ///< 255 = samples lie behind the plane on rays that cross it here: certainly no table
   cv::Mat_<uchar> covered;       ///< 255 = a sample lies over the plane here, or hides it
+  cv::Mat_<uchar> feet;          ///< 255 = a sample lies a little over the plane here, as the foot of a thing does
   int samples_on_plane = 0;
 
   bool empty() const { return on_plane.empty(); }
@@ -32,12 +33,13 @@ struct PlaneGrid {
 /// The same for any number of threads.
 PlaneGrid makePlaneGrid(const SurfaceSamples& samples, const Plane& plane, double cell_m, int threads = 1);
 
-/// Values of the cells of an extent.
-constexpr uchar kCore = 255;    ///< table that was seen, and what it surrounds
-constexpr uchar kMargin = 128;  ///< next to it: the rounded edge, and covered places the table probably goes on under
-
 /// The table's extent: cells on the plane without specks, the shadows behind things bridged, holes filled, but nothing
-/// that was seen through; the largest connected part. Same size as the grid, 0 = outside.
+/// that was seen through; the largest connected part. Same size as the grid, values as TableExtent::cells.
 cv::Mat_<uchar> extentOf(const PlaneGrid& grid);
+
+/// Marks where things stand beyond the extent as if the table went on there (TableExtent::kBeyond): they come down to
+/// the plane, and the view goes through the plane neither around their feet nor on the way to them, as it does in front
+/// of what stands behind a table.
+void markBeyond(const PlaneGrid& grid, cv::Mat_<uchar>& extent);
 
 }  // namespace objectness

@@ -27,7 +27,7 @@ double tableNormalError(const Frame& frame, const Normals& normals, const Table&
     const double tolerance = std::max<double>(kOnTableM, kOnTableSigmas * table.noise.sigma(p.z()));
     if (std::abs(table.height(p)) > tolerance) return;
     const Eigen::Vector2d foot = axes * p.cast<double>();
-    if (table.extent.at(foot.x(), foot.y()) == kCore) values.push_back(normals.normal[i].dot(up));
+    if (table.extent.at(foot.x(), foot.y()) == TableExtent::kCore) values.push_back(normals.normal[i].dot(up));
   });
   if (cosines.size() < kMinSamples) return 0;
   return std::acos(std::clamp(upperMedian(cosines), -1.f, 1.f)) * 180 / M_PI;

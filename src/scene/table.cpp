@@ -111,6 +111,7 @@ Result<Table> findTable(const Frame& frame, const Normals& normals, const TableC
   table.T_table_camera = grid.T_table_camera;
   table.extent = {extent, grid.origin, grid.cell_m};
   table.noise = measureNoise(dense, plane, grid, extent, threads);
+  markBeyond(grid, table.extent.cells);
   traceOutline(frame, table);
   table.other_planes = otherPlanes(planes, plane);
   return {{}, table};

@@ -13,6 +13,7 @@ namespace {
 constexpr float kGapM = 0.01f;
 constexpr double kGapPixels = 3.0;  // of z / f
 constexpr float kGapSigmas = 4.0f;
+constexpr int kMarginPx = 3;
 constexpr int kMinPixels = 200;  // when the area is too small
 constexpr double kMaxShareOverCeiling = 0.1;
 constexpr double kTallestStack = 2.0;  // times the ceiling
@@ -21,16 +22,23 @@ constexpr int kManyParts = 10000;      // above this, sums per band cost more me
 constexpr double kWhollyInside = 0.9;  // a share of the points; the rest is noise at the outline
 
 struct Cluster {
-  int pixels = 0, inside = 0, too_high = 0, far_too_high = 0;
-  bool at_border = false;
+  int pixels = 0, inside = 0, beyond = 0, too_high = 0, far_too_high = 0;
+  bool at_border = false;    ///< of the picture
+  bool near_border = false;  ///< where cameras often have no depth
   double area_m2 = 0;
 
   void add(const Cluster& part) {
-    pixels += part.pixels, inside += part.inside, too_high += part.too_high, far_too_high += part.far_too_high;
+    pixels += part.pixels, inside += part.inside, beyond += part.beyond, too_high += part.too_high,
+        far_too_high += part.far_too_high;
     at_border = at_border || part.at_border;
+    near_border = near_border || part.near_border;
     area_m2 += part.area_m2;
   }
 };
+
+/// Points on the table. Beyond what is seen of it, things count that are wholly in the picture: an arm, a chair or a
+/// shelf that comes from out of it need not stand on the table at all.
+int onTable(const Cluster& cluster) { return cluster.inside + (cluster.near_border ? 0 : cluster.beyond); }
 
 /// A tall stack: no arm or wall that comes from beside the table or from out of the picture.
 bool isTallStack(const Cluster& cluster) {
@@ -55,8 +63,11 @@ TableClusters findTableClusters(const Frame& frame, const Table& table, const He
         Cluster& cluster = clusters[labels[i]];
         const double z = frame.points[i].z();
         ++cluster.pixels;
-        cluster.at_border = cluster.at_border || u == 0 || v == 0 || u + 1 == mask.cols || v + 1 == mask.rows;
+        const int to_border = std::min({u, v, mask.cols - 1 - u, mask.rows - 1 - v});
+        cluster.at_border = cluster.at_border || to_border == 0;
+        cluster.near_border = cluster.near_border || to_border < kMarginPx;
         cluster.inside += map.inside(v, u) != 0;
+        if (!map.beyond.empty()) cluster.beyond += map.beyond(v, u) != 0;
         cluster.too_high += map.height_m(v, u) > config.max_height_m;
         cluster.far_too_high += map.height_m(v, u) > kTallestStack * config.max_height_m;
         cluster.area_m2 += z * z / (focal * focal);
@@ -82,7 +93,7 @@ TableClusters findTableClusters(const Frame& frame, const Table& table, const He
   for (std::size_t k = 1; k < clusters.size(); ++k) {
     const Cluster& cluster = clusters[k];
     const bool stands = (cluster.area_m2 >= config.min_area_m2 || cluster.pixels >= kMinPixels) &&
-                        cluster.inside >= config.min_inside_share * cluster.pixels &&
+                        onTable(cluster) >= config.min_inside_share * cluster.pixels &&
                         (cluster.too_high <= kMaxShareOverCeiling * cluster.pixels || isTallStack(cluster));
     if (stands) final_label[k] = ++result.count;
   }

@@ -52,7 +52,7 @@ SeenPlane seePlane(const SurfaceSamples& view, const Plane& plane) {
   SeenPlane seen;
   seen.grid = makePlaneGrid(view, plane, kCellM);
   if (seen.grid.empty()) return seen;
-  seen.core = extentOf(seen.grid) == kCore;
+  seen.core = extentOf(seen.grid) == TableExtent::kCore;
   const double cell_area = kCellM * kCellM;
   TableEvidence& evidence = seen.evidence;
   evidence.area_m2 = cv::countNonZero(seen.core) * cell_area;

@@ -124,7 +124,7 @@ std::optional<Edge> edgeFrom(const Eigen::Vector2d& start, const Eigen::Vector2d
 /// The outer border of the extent's core, a place a cell, counter-clockwise.
 std::vector<Eigen::Vector2d> borderOf(const TableExtent& extent) {
   std::vector<std::vector<cv::Point>> contours;
-  cv::findContours(extent.cells == kCore, contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+  cv::findContours(extent.cells == TableExtent::kCore, contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
   const auto longest = std::max_element(contours.begin(), contours.end(),
                                         [](const auto& a, const auto& b) { return a.size() < b.size(); });
   if (longest == contours.end()) return {};

@@ -77,7 +77,7 @@ std::vector<int> countInside(const MaskComponents& parts, const std::vector<Patc
     if (!patches[run.part].mayBeWall()) continue;
     for (int u = run.first; u < run.last; ++u) {
       const Eigen::Vector2d foot = axes * frame.points[run.row * frame.width() + u].cast<double>();
-      inside[run.part] += table.extent.at(foot.x(), foot.y()) == kCore;
+      inside[run.part] += table.extent.at(foot.x(), foot.y()) == TableExtent::kCore;
     }
   }
   return inside;

@@ -18,6 +18,9 @@ constexpr double kAlongMargin = 2.0;
 constexpr double kMostlyOnTable = 0.6;  // a share of its points
 constexpr double kSomeOnTable = 0.02;
 constexpr double kTop = 0.97;    // share of its points that are not higher than the top
+constexpr double kFoot = 0.03;   // the same of its foot
+constexpr float kFootM = 0.03f;  // over the table, of what stands on it
+constexpr double kFeetInPicture = 0.9;
 constexpr float kBendM = 0.02f;  // of a table, at the margin of the picture
 
 /// Pixels at the picture's margin, in square roots of all.
@@ -30,32 +33,52 @@ double atMargin(const Segment& segment, const Frame& frame) {
   return pixels / std::sqrt(static_cast<double>(segment.pixels.size()));
 }
 
-bool isBesideTable(const Segment& segment, const Frame& frame, const Table& table) {
+/// Height over the table that a share of the segment's points is under.
+float heightBelow(double share, const Segment& segment, const ObjectPoints& above) {
+  std::vector<float> heights;
+  heights.reserve(segment.pixels.size());
+  for (const int pixel : segment.pixels) {
+    heights.push_back(above.height_m(pixel / above.height_m.cols, pixel % above.height_m.cols));
+  }
+  return shareBelow(share, heights);
+}
+
+/// Share of the segment's points whose places on the table's plane are in the picture.
+double feetInPicture(const Segment& segment, const Frame& frame, const Table& table) {
+  int in_picture = 0;
+  for (const int pixel : segment.pixels) {
+    const Eigen::Vector3d p = frame.points[pixel].cast<double>();
+    const Eigen::Vector3d foot = p - table.height(frame.points[pixel]) * table.normal;
+    if (!(foot.z() > 0)) continue;
+    const Eigen::Vector2d at = frame.camera.project(foot);
+    in_picture += at.x() > kMarginPx && at.y() > kMarginPx && at.x() < frame.width() - 1 - kMarginPx &&
+                  at.y() < frame.height() - 1 - kMarginPx;
+  }
+  return in_picture / static_cast<double>(segment.pixels.size());
+}
+
+bool isBesideTable(const Segment& segment, const Frame& frame, const Table& table, const ObjectPoints& above) {
   const Eigen::Isometry3f T_table_camera = table.T_table_camera.cast<float>();
   int on_table = 0, by_table = 0;
   for (const int pixel : segment.pixels) {
     const Eigen::Vector3f p = T_table_camera * frame.points[pixel];
     const uchar cell = table.extent.at(p.x(), p.y());
-    on_table += cell == 255;
-    by_table += cell != 0;
+    on_table += cell == TableExtent::kCore;
+    by_table += cell >= TableExtent::kMargin;
   }
   const double pixels = static_cast<double>(segment.pixels.size());
-  // What stands behind others at the picture's end has its whole foot where the table is hidden: that says nothing.
   const bool over_the_edge = on_table > kSomeOnTable * pixels && on_table < kMostlyOnTable * pixels;
-  return over_the_edge || by_table < kMostlyOnTable * pixels;
-}
-
-float topOf(const Segment& segment, const ObjectPoints& above) {
-  std::vector<float> heights;
-  for (const int pixel : segment.pixels)
-    heights.push_back(above.height_m(pixel / above.height_m.cols, pixel % above.height_m.cols));
-  return shareBelow(kTop, heights);
+  // What stands behind others at the picture's end has its whole foot where the table is hidden: that says nothing.
+  const bool hangs = on_table <= kSomeOnTable * pixels && heightBelow(kFoot, segment, above) > kFootM &&
+                     feetInPicture(segment, frame, table) > kFeetInPicture;
+  return over_the_edge || hangs || by_table < kMostlyOnTable * pixels;
 }
 
 bool isBackground(const Segment& segment, const Frame& frame, const Table& table, const ObjectPoints& above) {
   const double at_margin = atMargin(segment, frame);
   if (!(at_margin > kLeaves)) return false;
-  return isBesideTable(segment, frame, table) || (at_margin > kAlongMargin && topOf(segment, above) < kBendM);
+  return isBesideTable(segment, frame, table, above) ||
+         (at_margin > kAlongMargin && heightBelow(kTop, segment, above) < kBendM);
 }
 
 }  // namespace

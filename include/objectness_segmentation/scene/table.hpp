@@ -11,9 +11,13 @@ namespace objectness {
 
 /// A raster of the table's own extent in the x-y plane of the table frame: what decides whether a point is "on it".
 struct TableExtent {
-  /// Row = y, column = x. 255 = table that was seen and what it surrounds, 128 = next to it (its rounded edge, places
-  /// covered by things it probably goes on under), 0 = not the table.
-  cv::Mat_<uchar> cells;
+  static constexpr uchar kCore = 255;    ///< table that was seen, and what it surrounds
+  static constexpr uchar kMargin = 128;  ///< next to it: its rounded edge, covered places it probably goes on under
+  /// Without depth around, but a thing comes down to the table's height here, and nothing says that the table ends
+  /// before it. Whether that is a thing on the table is for the thing to tell.
+  static constexpr uchar kBeyond = 64;
+
+  cv::Mat_<uchar> cells;                             ///< row = y, column = x; one of these values, or 0: not the table
   Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< corner of cell (0, 0) with the smallest x and y, metres
   double cell_m = 0.01;                              ///< side of a cell
 
@@ -23,7 +27,7 @@ struct TableExtent {
     const bool within = column >= 0 && row >= 0 && column < cells.cols && row < cells.rows;
     return within ? cells(static_cast<int>(row), static_cast<int>(column)) : uchar(0);
   }
-  bool contains(double x, double y) const { return at(x, y) != 0; }
+  bool contains(double x, double y) const { return at(x, y) >= kMargin; }
 };
 
 /// A plane n . p + d = 0; n is a unit vector in the optical frame, towards the camera (d > 0: the camera's distance).

@@ -11,12 +11,18 @@ namespace {
 
 const float kNan = std::numeric_limits<float>::quiet_NaN();
 
-/// A rendered scene with its object points, and how many pixels of each surface they hold.
+/// A rendered scene with its object points, and how many pixels of each surface they hold. The first surface has no
+/// depth behind `depth_ends_y`, as a shiny table far from the camera.
 struct View {
-  explicit View(std::vector<Surface> surfaces, ObjectPointsConfig config = {}, double noise = 1) {
+  explicit View(std::vector<Surface> surfaces, ObjectPointsConfig config = {}, double noise = 1,
+                double depth_ends_y = kMiss) {
     scene.surfaces = std::move(surfaces);
     scene.s0 = 0.0005 * noise, scene.s2 = 0.0015 * noise;
     frame = scene.render();
+    for (int i = 0; i < frame.size(); ++i) {
+      const bool behind = (scene.T_world_camera * frame.points[i].cast<double>()).y() > depth_ends_y;
+      if (scene.seen[i] == 0 && behind) frame.points[i].setConstant(kNan);
+    }
     const Normals normals = estimateNormals(frame, {});
     const Result<Table> found = findTable(frame, normals, {});
     EXPECT_TRUE(found.ok()) << found.status.message;
@@ -96,6 +102,24 @@ TEST(ObjectPoints, FloorAndNeighboursOfTheTableAreNone) {
 TEST(ObjectPoints, KeepWhatStandsOutOverTheEdge) {
   const View view({slab(-0.3, -0.3, 0.3, 0.3, 0), slab(-3, -3, 3, 3, -0.7), box({0.1, -0.1, 0}, {0.42, 0.0, 0.08})});
   EXPECT_GT(view.masked(2), 0.95);
+}
+
+TEST(ObjectPoints, KeepWhatStandsWhereTheTableHasNoDepth) {
+  const auto kept = [](const Surface& thing) { return View({kTable, thing}, {}, 1, 0.05).masked(1); };
+  EXPECT_GT(kept(box({-0.05, 0.28, 0}, {0.05, 0.36, 0.1})), 0.9);
+  EXPECT_GT(kept(box({-0.4, 0.28, 0}, {-0.32, 0.36, 0.03})), 0.9);
+  EXPECT_EQ(kept(box({-0.05, 0.28, 0.08}, {0.05, 0.36, 0.16})), 0) << "does not come down to the table";
+  EXPECT_EQ(kept(box({-0.05, 0.6, 0}, {0.05, 0.7, 0.1})), 0) << "far from all that was seen of it";
+  EXPECT_EQ(kept(box({-2, 0.28, 0}, {0.05, 0.36, 0.1})), 0) << "comes from out of the picture";
+}
+
+TEST(ObjectPoints, LeaveOutWhatStandsBehindATableThatIsSeenToEnd) {
+  const View view({slab(-0.5, -0.4, 0.5, 0.05, 0), slab(-3, -3, 3, 3, -0.5),
+                   box({-0.05, 0.28, -0.5}, {0.05, 0.36, 0.1}), box({0.2, 0.28, 0}, {0.3, 0.36, 0.1}),
+                   box({-0.1, -0.2, 0}, {0.0, -0.1, 0.1})});
+  EXPECT_EQ(view.masked(2), 0) << "stands on the floor";
+  EXPECT_EQ(view.masked(3), 0) << "at the height of the table, on nothing that is seen";
+  EXPECT_GT(view.masked(4), 0.95);
 }
 
 TEST(ObjectPoints, LeaveOutWalls) {

@@ -61,7 +61,7 @@ void plainRemoveWalls(const Frame& frame, const Normals& normals, const Table& t
           const Eigen::Vector3d p = frame.points[v * mask.cols + u].cast<double>();
           const Eigen::Vector2d foot = axes * p;
           ++pixels;
-          inside += table.extent.at(foot.x(), foot.y()) == kCore;
+          inside += table.extent.at(foot.x(), foot.y()) == TableExtent::kCore;
           border += u == 0 || v == 0 || u + 1 == mask.cols || v + 1 == mask.rows;
           too_high += map.height_m(v, u) > config.max_height_m;
           area += std::pow(p.z() / frame.camera.focal(), 2);
@@ -213,6 +213,7 @@ TEST(HeightMap, IsThatOfEveryPointByItself) {
   const FastPlane plane(table.value);
   const Eigen::Matrix<float, 2, 3> axes = table.value.T_table_camera.linear().topRows<2>().cast<float>();
   const TableExtent& extent = table.value.extent;
+  ASSERT_GT(cv::countNonZero(extent.cells == TableExtent::kBeyond), 0) << "something to tell apart";
   for (int i = 0; i < frame.size(); ++i) {
     const Eigen::Vector3f& p = frame.points[i];
     if (!(p.z() > 0)) {
@@ -229,7 +230,9 @@ TEST(HeightMap, IsThatOfEveryPointByItself) {
     const bool within = cell.x() >= 0 && cell.y() >= 0 && cell.x() < extent.cells.cols && cell.y() < extent.cells.rows;
     ASSERT_TRUE(sameBits(map.height_m(i), h)) << i;
     ASSERT_TRUE(sameBits(map.threshold_m(i), threshold)) << i;
-    ASSERT_EQ(map.inside(i), within ? extent.cells(int(cell.y()), int(cell.x())) : 0) << i;
+    const uchar value = within ? extent.cells(int(cell.y()), int(cell.x())) : uchar(0);
+    ASSERT_EQ(map.inside(i), value >= TableExtent::kMargin ? 255 : 0) << i;
+    ASSERT_EQ(map.beyond(i), value == TableExtent::kBeyond ? 255 : 0) << i;
   }
 }
 

@@ -47,6 +47,36 @@ struct Sight {
   }
 };
 
+/// Whether a thing beside the table is taken that stands where the table may go on, in a picture that is cut.
+bool takenBesideTable(const Surface& thing, double cx, double cy) {
+  Scene scene;
+  scene.surfaces = {slab(-0.4, -0.3, 0.4, 0.3, 0), thing};
+  const Normals normals = estimateNormals(scene.render(), {});
+  const Result<Table> found = findTable(scene.render(), normals, {});
+  EXPECT_TRUE(found.ok()) << found.status.message;
+  Table table = found.value;
+  const Eigen::Isometry3d T_world_table = scene.T_world_camera * table.T_table_camera.inverse();
+  table.extent = {cv::Mat_<uchar>(400, 400, TableExtent::kMargin), Eigen::Vector2d(-2, -2), 0.01};
+  for (int row = 0; row < 400; ++row) {
+    for (int column = 0; column < 400; ++column) {
+      const Eigen::Vector3d p = T_world_table * Eigen::Vector3d(column * 0.01 - 1.995, row * 0.01 - 1.995, 0);
+      if (std::abs(p.x()) < 0.4 && std::abs(p.y()) < 0.3) table.extent.cells(row, column) = TableExtent::kCore;
+    }
+  }
+  scene.camera.cx = cx, scene.camera.cy = cy;
+  const Frame frame = scene.render();
+  ObjectPoints above;
+  above.height_m = cv::Mat_<float>(frame.height(), frame.width(), std::nanf(""));
+  std::vector<Segment> segments(1);
+  for (int i = 0; i < frame.size(); ++i) {
+    if (scene.seen[i] != 1) continue;
+    above.height_m(i / frame.width(), i % frame.width()) = static_cast<float>(table.height(frame.points[i]));
+    segments[0].pixels.push_back(i);
+  }
+  EXPECT_GT(segments[0].pixels.size(), 500u);
+  return !takeBackground(frame, table, above, segments).empty();
+}
+
 const Surface kThing = box({-0.05, -0.05, 0}, {0.05, 0.05, 0.1});
 
 }  // namespace
@@ -85,6 +115,17 @@ TEST(Background, AThingOnTheTableThatThePictureCutsStays) {
   above.height_m = 0.012f;
   EXPECT_EQ(takeBackground(frame, sight.table, above, segments).size(), 1u);
   EXPECT_TRUE(segments.empty());
+}
+
+TEST(Background, WhatLeavesThePictureAndComesDownNowhereIsTaken) {
+  const double cx = 379.5, cy = 239.5;  // the picture ends 10 cm beside the table
+  EXPECT_TRUE(takenBesideTable(box({0.43, -0.1, 0.08}, {1.5, 0.1, 0.12}), cx, cy)) << "the rim of a bin";
+  EXPECT_FALSE(takenBesideTable(box({0.43, -0.1, 0}, {1.5, 0.1, 0.12}), cx, cy)) << "stands there";
+}
+
+TEST(Background, WhatHasItsFootOutOfThePictureStays) {
+  // Before the table; the picture ends in the middle of its front side.
+  EXPECT_FALSE(takenBesideTable(box({-0.1, -0.4, 0}, {0.1, -0.32, 0.12}), 319.5, 170));
 }
 
 TEST(Background, NothingIsTakenOfNothing) {

@@ -203,13 +203,17 @@ cv::Mat_<uchar> extentOf(const PlaneGrid& grid) {
 }
 
 void markBeyond(const PlaneGrid& grid, cv::Mat_<uchar>& extent) {
-  const cv::Mat_<uchar> own = extent > 0;
+  cv::Mat_<uchar> all_feet = grid.feet & (extent == 0);
+  if (cv::countNonZero(all_feet) == 0) return;
+  // No way to them and nothing around them reaches out of this part of the grid.
+  const int margin = static_cast<int>(std::lround((kBeyondM + kClearOfThroughM) / grid.cell_m)) + 1;
+  cv::Rect part = cv::boundingRect(all_feet);
+  part = cv::Rect(part.tl() - cv::Point(margin, margin), part.br() + cv::Point(margin, margin)) &
+         cv::Rect(0, 0, grid.columns, grid.rows);
+  const cv::Mat_<uchar> own = extent(part) > 0, seen_through = grid.seen_through(part).clone();
   const cv::Mat step = square(kClearOfThroughM, grid.cell_m);
-  cv::Mat_<uchar> through, near;
-  cv::dilate(grid.seen_through, through, step);
-  cv::dilate(own, near, square(kBeyondM, grid.cell_m));
-  cv::Mat_<uchar> feet = grid.feet & near & ~own & ~through;
-  if (cv::countNonZero(feet) == 0) return;
+  cv::Mat_<uchar> through, near, feet = all_feet(part);
+  cv::dilate(seen_through, through, step);
 
   // The way to them, in steps that do not reach over what is seen through and as much on each of its sides.
   cv::Mat_<uchar> reached = own.clone();
@@ -217,11 +221,11 @@ void markBeyond(const PlaneGrid& grid, cv::Mat_<uchar>& extent) {
     cv::dilate(reached, near, step);
     reached |= near & ~through;
   }
-  feet = withoutSmallParts(feet & reached, kMinFootCells);
+  feet = withoutSmallParts(feet & reached & ~through, kMinFootCells);
   cv::dilate(feet, near, square(kReachM, grid.cell_m));
-  cv::Mat_<uchar> things = near & grid.covered;
+  cv::Mat_<uchar> things = near & grid.covered(part);
   cv::dilate(things, things, square(kBridgedGapM, grid.cell_m));
-  extent.setTo(TableExtent::kBeyond, things & ~grid.seen_through & ~own);
+  extent(part).setTo(TableExtent::kBeyond, things & ~seen_through & ~own);
 }
 
 }  // namespace objectness

@@ -24,9 +24,11 @@ std::vector<std::string> FormerParameters::apply(const std::set<std::string>& gi
   };
   if (given.count(kGrouping)) {
     warn(kGrouping, grouping_ ? SegmentationMethod::kObjectness : SegmentationMethod::kPaper);
-    const bool boxes = method != SegmentationMethod::kObjectness;
-    if (!replaced && grouping_) method = SegmentationMethod::kObjectness;
-    if (!replaced && !grouping_ && !boxes) method = SegmentationMethod::kPaper;
+    if (!replaced && grouping_) {
+      method = SegmentationMethod::kObjectness;
+    } else if (!replaced && method == SegmentationMethod::kObjectness) {
+      method = SegmentationMethod::kPaper;
+    }
   }
   if (given.count(kFollow)) {
     const SegmentationMethod meant = follow_superpixels_ ? SegmentationMethod::kPaper : SegmentationMethod::kBoxes;

@@ -16,9 +16,9 @@ class FormerParameters {
   /// As configFields(); they point into this object.
   std::vector<ConfigField> fields();
 
-  /// Lays those that were given (full names, of other parameters too) over `config`. Where
-  /// pipeline.method is given, too, they have no effect: a parameter server may still hold what an earlier version
-  /// wrote there. Returns a warning for each, which names what to write instead.
+  /// Lays those that were given (full names, of other parameters too) over `config`. Where pipeline.method is given,
+  /// too, they have no effect: a parameter server may still hold what an earlier version wrote there. Returns a warning
+  /// for each, which names what to write instead.
   std::vector<std::string> apply(const std::set<std::string>& given, Config& config) const;
 
  private:

@@ -7,6 +7,7 @@
 
 #include "common/disjoint_sets.hpp"
 #include "common/share_below.hpp"
+#include "scene/foot_height.hpp"
 
 namespace objectness {
 namespace {
@@ -15,7 +16,6 @@ constexpr double kMinAreaM2 = 0.0012;
 constexpr double kSigmas = 1.9;      // of a single pixel, for the median of hundreds
 constexpr double kSigmasRagged = 5;  // what noise leaves is ragged
 constexpr double kMinSolid = 0.75;   // share of the convex hull in the picture; less is ragged
-constexpr float kFootM = 0.04f;      // what stands on the table is seen down to here
 constexpr double kLowest = 0.05;     // share of its points
 constexpr int kBesidePx = 3;
 constexpr double kMinOnSupport = 0.7;  // share of table, or of a tray, in what is seen beside it
@@ -50,7 +50,7 @@ class StandingParts {
       }
     }
     if (area_m2 < kMinAreaM2 || heights.empty() || on_support < kMinOnSupport * beside) return false;
-    if (!in_container && shareBelow(kLowest, heights) > kFootM) return false;  // it hangs
+    if (!in_container && shareBelow(kLowest, heights) > kFootHeightM) return false;  // it hangs
     const double sigmas = shareBelow(0.5, heights) / table_.noise.sigma(depths / static_cast<double>(heights.size()));
     cv::convexHull(pixels, hull);
     const bool solid = static_cast<double>(pixels.size()) >= kMinSolid * cv::contourArea(hull);

@@ -8,6 +8,7 @@
 
 #include "common/parallel.hpp"
 #include "common/upper_median.hpp"
+#include "scene/foot_height.hpp"
 
 namespace objectness {
 namespace {
@@ -24,7 +25,6 @@ constexpr float kBehindM = 0.015f;           // beyond the tolerance: further be
 constexpr float kCoverCeilingM = 0.45f;      // higher things rather stand behind the table
 constexpr double kBeyondM = 0.32;            // from the extent to things, where there is no depth between
 constexpr double kClearOfThroughM = 0.03;    // of the way to them, and of their feet
-constexpr float kFootM = 0.03f;              // over the plane, of a thing that stands on it
 constexpr int kMinFootCells = 3;
 constexpr int kBands = 4;  // of the samples, for threads to look at
 
@@ -162,7 +162,7 @@ PlaneGrid makePlaneGrid(const SurfaceSamples& samples, const Plane& plane, doubl
         if (crosses) mark.covered(cell) = 255;
         if (!grid.cell(foot.x(), foot.y(), cell)) return;
         mark.covered(cell) = 255;
-        if (height < kFootM) mark.feet(cell) = 255;
+        if (height < kFootHeightM) mark.feet(cell) = 255;
       }
     });
   });
@@ -212,18 +212,19 @@ void markBeyond(const PlaneGrid& grid, cv::Mat_<uchar>& extent) {
          cv::Rect(0, 0, grid.columns, grid.rows);
   const cv::Mat_<uchar> own = extent(part) > 0, seen_through = grid.seen_through(part).clone();
   const cv::Mat step = square(kClearOfThroughM, grid.cell_m);
-  cv::Mat_<uchar> through, near, feet = all_feet(part);
+  cv::Mat_<uchar> through, feet = all_feet(part);
   cv::dilate(seen_through, through, step);
 
   // The way to them, in steps that do not reach over what is seen through and as much on each of its sides.
-  cv::Mat_<uchar> reached = own.clone();
+  cv::Mat_<uchar> reached = own.clone(), wider;
   for (double way_m = 0; way_m < kBeyondM; way_m += kClearOfThroughM) {
-    cv::dilate(reached, near, step);
-    reached |= near & ~through;
+    cv::dilate(reached, wider, step);
+    reached |= wider & ~through;
   }
   feet = withoutSmallParts(feet & reached & ~through, kMinFootCells);
-  cv::dilate(feet, near, square(kReachM, grid.cell_m));
-  cv::Mat_<uchar> things = near & grid.covered(part);
+  cv::Mat_<uchar> around, things;
+  cv::dilate(feet, around, square(kReachM, grid.cell_m));
+  things = around & grid.covered(part);
   cv::dilate(things, things, square(kBridgedGapM, grid.cell_m));
   extent(part).setTo(TableExtent::kBeyond, things & ~seen_through & ~own);
 }

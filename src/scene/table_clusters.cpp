@@ -6,6 +6,7 @@
 
 #include "common/row_bands.hpp"
 #include "scene/connected_components_3d.hpp"
+#include "scene/picture_margin.hpp"
 
 namespace objectness {
 namespace {
@@ -13,7 +14,6 @@ namespace {
 constexpr float kGapM = 0.01f;
 constexpr double kGapPixels = 3.0;  // of z / f
 constexpr float kGapSigmas = 4.0f;
-constexpr int kMarginPx = 3;
 constexpr int kMinPixels = 200;  // when the area is too small
 constexpr double kMaxShareOverCeiling = 0.1;
 constexpr double kTallestStack = 2.0;  // times the ceiling
@@ -24,7 +24,7 @@ constexpr double kWhollyInside = 0.9;  // a share of the points; the rest is noi
 struct Cluster {
   int pixels = 0, inside = 0, beyond = 0, too_high = 0, far_too_high = 0;
   bool at_border = false;    ///< of the picture
-  bool near_border = false;  ///< where cameras often have no depth
+  bool near_border = false;  ///< within its margin
   double area_m2 = 0;
 
   void add(const Cluster& part) {
@@ -63,9 +63,9 @@ TableClusters findTableClusters(const Frame& frame, const Table& table, const He
         Cluster& cluster = clusters[labels[i]];
         const double z = frame.points[i].z();
         ++cluster.pixels;
-        const int to_border = std::min({u, v, mask.cols - 1 - u, mask.rows - 1 - v});
+        const int to_border = pixelsToBorder(u, v, mask.size());
         cluster.at_border = cluster.at_border || to_border == 0;
-        cluster.near_border = cluster.near_border || to_border < kMarginPx;
+        cluster.near_border = cluster.near_border || to_border < kPictureMarginPx;
         cluster.inside += map.inside(v, u) != 0;
         if (!map.beyond.empty()) cluster.beyond += map.beyond(v, u) != 0;
         cluster.too_high += map.height_m(v, u) > config.max_height_m;

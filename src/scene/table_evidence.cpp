@@ -7,6 +7,7 @@
 
 #include "common/upper_median.hpp"
 #include "scene/connected_components_3d.hpp"
+#include "scene/foot_height.hpp"
 
 namespace objectness {
 namespace {
@@ -14,7 +15,6 @@ namespace {
 constexpr double kCellM = 0.02;
 constexpr float kCeilingM = 0.45f;  // what reaches higher is rather a wall, a shelf or a robot
 constexpr float kUnderM = 0.35f;    // what lies deeper under a table is the floor
-constexpr float kFootM = 0.04f;     // a thing on the plane is seen down to here
 constexpr int kMinFootSamples = 3;
 constexpr int kMinGroup = 6;
 constexpr int kBorderSamples = 2;
@@ -132,7 +132,7 @@ TableEvidence judgeTable(const SurfaceSamples& view, const Plane& plane, const S
     }
     const Eigen::Vector3f& p = table_points[i];
     ++group.count;
-    group.foot += p.z() < kFootM;
+    group.foot += p.z() < kFootHeightM;
     group.too_high += p.z() > kCeilingM;
     group.low = group.low.cwiseMin(p.head<2>());
     group.high = group.high.cwiseMax(p.head<2>());

@@ -6,20 +6,20 @@
 #include <iterator>
 
 #include "common/share_below.hpp"
+#include "scene/foot_height.hpp"
+#include "scene/picture_margin.hpp"
 
 namespace objectness {
 namespace {
 
-constexpr int kMarginPx = 3;  // cameras often have no depth in the outermost pixels
 // Pixels at the picture's margin, in square roots of a segment's pixels: free of its size and of the resolution but for
 // the margin's width.
 constexpr double kLeaves = 0.5;
 constexpr double kAlongMargin = 2.0;
 constexpr double kMostlyOnTable = 0.6;  // a share of its points
 constexpr double kSomeOnTable = 0.02;
-constexpr double kTop = 0.97;    // share of its points that are not higher than the top
-constexpr double kFoot = 0.03;   // the same of its foot
-constexpr float kFootM = 0.03f;  // over the table, of what stands on it
+constexpr double kTop = 0.97;   // share of its points that are not higher than the top
+constexpr double kFoot = 0.03;  // the same of its foot
 constexpr double kFeetInPicture = 0.9;
 constexpr float kBendM = 0.02f;  // of a table, at the margin of the picture
 
@@ -28,7 +28,7 @@ double atMargin(const Segment& segment, const Frame& frame) {
   int pixels = 0;
   for (const int pixel : segment.pixels) {
     const int u = pixel % frame.width(), v = pixel / frame.width();
-    pixels += std::min({u, v, frame.width() - 1 - u, frame.height() - 1 - v}) < kMarginPx;
+    pixels += pixelsToBorder(u, v, {frame.width(), frame.height()}) < kPictureMarginPx;
   }
   return pixels / std::sqrt(static_cast<double>(segment.pixels.size()));
 }
@@ -51,8 +51,8 @@ double feetInPicture(const Segment& segment, const Frame& frame, const Table& ta
     const Eigen::Vector3d foot = p - table.height(frame.points[pixel]) * table.normal;
     if (!(foot.z() > 0)) continue;
     const Eigen::Vector2d at = frame.camera.project(foot);
-    in_picture += at.x() > kMarginPx && at.y() > kMarginPx && at.x() < frame.width() - 1 - kMarginPx &&
-                  at.y() < frame.height() - 1 - kMarginPx;
+    const cv::Size picture(frame.width(), frame.height());
+    in_picture += pixelsToBorder(at.x(), at.y(), picture) >= kPictureMarginPx;
   }
   return in_picture / static_cast<double>(segment.pixels.size());
 }
@@ -69,7 +69,7 @@ bool isBesideTable(const Segment& segment, const Frame& frame, const Table& tabl
   const double pixels = static_cast<double>(segment.pixels.size());
   const bool over_the_edge = on_table > kSomeOnTable * pixels && on_table < kMostlyOnTable * pixels;
   // What stands behind others at the picture's end has its whole foot where the table is hidden: that says nothing.
-  const bool hangs = on_table <= kSomeOnTable * pixels && heightBelow(kFoot, segment, above) > kFootM &&
+  const bool hangs = on_table <= kSomeOnTable * pixels && heightBelow(kFoot, segment, above) > kFootHeightM &&
                      feetInPicture(segment, frame, table) > kFeetInPicture;
   return over_the_edge || hangs || by_table < kMostlyOnTable * pixels;
 }
